@@ -99,6 +99,7 @@ bool handleGizmos(WindowState& ui, const std::vector<ShownPane>& panes, const Th
         ui.hovered = grip.handle->what;
         if (!ImGui::IsMouseClicked(0)) continue;
         ui.held = holdOf(ui, seen, grip, theme);
+        ui.bench.activate(pane.pane); // as any other press in it does
         ui.selection = grip.handle->what;
         ui.drag = Drag::handle;
         ui.dragPane = pane.pane;

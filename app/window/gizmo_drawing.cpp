@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/window/free_places.h"
 #include "app/window/gizmo.h"
 #include "app/window/handle_places.h"
 #include "app/window/widget_renderer.h"
@@ -16,55 +17,80 @@ using lab::Handle;
 using lab::Selection;
 
 constexpr ImU32 kDark = IM_COL32(16, 16, 18, 255);
+constexpr double kFlashTurnSeconds = 0.35; ///< on, and off
 
 // One colour an axis (Okabe and Ito): x vermilion, y bluish green, z blue; the letters say it too.
 const std::array<vec3, 3> kAxisColors = {look::linearFromSrgb8(0xD5, 0x5E, 0x00),
                                          look::linearFromSrgb8(0x00, 0x9E, 0x73),
                                          look::linearFromSrgb8(0x56, 0xB4, 0xE9)};
 
-/// Name plates of one pane. Each is moved down, or at the pane's foot up, until it covers no other.
+/// The names of what has an icon in one pane. They find their places when all icons are known: each beside its own, on the first
+/// side that is free of icons, of other names and of objects.
 class NamePlates {
 public:
-    NamePlates(ImDrawList& list, const ShownPane& pane, const Theme& theme) : list_(list), pane_(pane), theme_(theme) {}
+    NamePlates(ImDrawList& list, FreePlaces& places, const Theme& theme) : list_(list), places_(places), theme_(theme) {}
 
-    /// `share` of its width lies to the left of `at`, and its upper edge there.
-    void add(ImVec2 at, float share, const std::string& name, ImU32 color) {
-        const float pad = theme_.em * 0.3f;
-        const ImVec2 text = theme_.text->CalcTextSizeA(theme_.em, FLT_MAX, 0, name.c_str());
-        const ImVec2 size(text.x + 2 * pad, text.y + pad);
-        const ImVec2 low = imVec(pane_.area.corner), high = imVec(pane_.area.corner + pane_.area.size);
-        Plate plate{{std::clamp(at.x - share * size.x, low.x, std::max(low.x, high.x - size.x)),
-                     std::clamp(at.y, low.y, std::max(low.y, high.y - size.y))},
-                    size};
-        const bool upward = plate.corner.y + 3 * size.y > high.y;
-        for (std::size_t tries = 0; tries <= plates_.size(); ++tries)
-            for (const Plate& other : plates_)
-                if (plate.overlaps(other))
-                    plate.corner.y = upward ? other.corner.y - size.y - 1 : other.corner.y + other.size.y + 1;
-        plates_.push_back(plate);
-        list_.AddRectFilled(plate.corner, {plate.corner.x + size.x, plate.corner.y + size.y}, kPlateColor);
-        list_.AddText(theme_.text, theme_.em, {plate.corner.x + pad, plate.corner.y + pad / 2}, color, name.c_str());
+    /// The icon and its name. `radius`: of the icon with its rays.
+    void add(ImVec2 icon, float radius, const std::string& name, ImU32 color) {
+        names_.push_back({icon, radius, name, color});
+        places_.take(boxAround(icon, radius), FreePlaces::kSign);
+    }
+
+    /// What belongs to an icon and must stay as free as it: the point of an edge mark.
+    void keepFree(ImVec2 at, float radius) { places_.take(boxAround(at, radius), FreePlaces::kSign); }
+
+    void draw() {
+        for (const Name& name : names_) {
+            const float pad = theme_.em * 0.3f;
+            const ImVec2 text = theme_.text->CalcTextSizeA(theme_.em, FLT_MAX, 0, name.text.c_str());
+            const PlaceBox plate = bestPlace(name, {text.x + 2 * pad, text.y + pad});
+            places_.take(plate, FreePlaces::kSign);
+            list_.AddRectFilled(plate.low, plate.high, kPlateColor);
+            list_.AddText(theme_.text, theme_.em, {plate.low.x + pad, plate.low.y + pad / 2}, name.color, name.text.c_str());
+        }
     }
 
 private:
-    struct Plate {
-        ImVec2 corner, size;
-        [[nodiscard]] bool overlaps(const Plate& other) const {
-            return corner.x < other.corner.x + other.size.x && other.corner.x < corner.x + size.x &&
-                   corner.y < other.corner.y + other.size.y && other.corner.y < corner.y + size.y;
-        }
+    struct Name {
+        ImVec2 icon;
+        float radius;
+        std::string text;
+        ImU32 color;
     };
+    static PlaceBox boxAround(ImVec2 at, float radius) { return {{at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}}; }
+
+    /// Right, left, below and above it, then at its corners. Of places that cost the same the first is taken.
+    [[nodiscard]] PlaceBox bestPlace(const Name& name, ImVec2 size) const {
+        const float gap = theme_.em * 0.15f, r = name.radius + gap;
+        const float right = name.icon.x + r, left = name.icon.x - r - size.x, middle = name.icon.x - size.x / 2;
+        const float below = name.icon.y + r, above = name.icon.y - r - size.y, beside = name.icon.y - size.y / 2;
+        const ImVec2 corners[] = {{right, beside}, {left, beside}, {middle, below}, {middle, above},
+                                  {right, below},  {left, below},  {right, above},  {left, above}};
+        PlaceBox best = places_.within(corners[0], size);
+        float least = places_.cost(best);
+        for (const ImVec2& corner : corners) {
+            const PlaceBox box = places_.within(corner, size);
+            if (const float cost = places_.cost(box); cost < least) {
+                best = box;
+                least = cost;
+            }
+        }
+        return best;
+    }
+
     ImDrawList& list_;
-    const ShownPane& pane_;
+    FreePlaces& places_;
     const Theme& theme_;
-    std::vector<Plate> plates_;
+    std::vector<Name> names_;
 };
 
 /// How a handle is drawn.
 struct Look {
     bool selected = false, hovered = false, flashes = false;
+    bool isCurrent = false; ///< of several lights the one that stages and verdicts are about
     [[nodiscard]] bool stands() const { return selected || hovered || flashes; }
     [[nodiscard]] ImU32 color() const { return stands() ? kAccent : kPlateText; }
+    [[nodiscard]] ImU32 nameColor() const { return isCurrent ? kAccent : color(); }
 };
 
 /// A sun: a disc with rays.
@@ -78,6 +104,13 @@ void drawRays(ImDrawList& list, ImVec2 place, float r, ImU32 color, const Theme&
     }
 }
 
+/// A disc behind the icon, larger than it: seen from the last row.
+void drawFlash(ImDrawList& list, ImVec2 place, const Theme& theme) {
+    list.AddCircleFilled(place, theme.em * 1.7f, kDark);
+    list.AddCircleFilled(place, theme.em * 1.6f, kAccent);
+    list.AddCircleFilled(place, theme.em * 1.25f, kDark);
+}
+
 /// What lies outside the picture: its disc at the edge, a light's with rays, and before it a point in its direction.
 void drawEdgeMark(ImDrawList& list, NamePlates& plates, const lab::EdgeMark& mark, const Handle& handle, const Look& look,
                   const Theme& theme) {
@@ -87,14 +120,14 @@ void drawEdgeMark(ImDrawList& list, NamePlates& plates, const lab::EdgeMark& mar
         return ImVec2(static_cast<float>(p.x), static_cast<float>(p.y));
     };
     const float r = theme.em * 0.4f;
+    if (look.flashes) drawFlash(list, at(0, 0), theme);
     list.AddTriangleFilled(at(1.75, 0), at(0.85, -0.75), at(0.85, 0.75), kDark);
     list.AddTriangleFilled(at(1.6, 0), at(0.95, -0.5), at(0.95, 0.5), look.color());
     list.AddCircleFilled(at(0, 0), r + 2, kDark);
     if (handle.what.kind == Selection::Kind::light) drawRays(list, at(0, 0), r, look.color(), theme);
     list.AddCircleFilled(at(0, 0), r, look.color());
-    const ImVec2 inward = at(-1.3, 0); // the name lies on the picture's side of the mark
-    const float share = mark.outward.x > 0.3 ? 1.0f : mark.outward.x < -0.3 ? 0.0f : 0.5f;
-    plates.add({inward.x, inward.y - theme.em * 0.6f}, share, handle.label, look.color());
+    plates.keepFree(at(1.3, 0), theme.em * 0.5f);
+    plates.add(at(0, 0), theme.em * 0.9f, handle.label, look.nameColor());
 }
 
 void drawArrows(ImDrawList& list, const SeenPane& seen, const Handle& handle, ImVec2 place, const Theme& theme) {
@@ -124,35 +157,39 @@ void drawHandle(ImDrawList& list, NamePlates& plates, const SeenPane& seen, cons
     const auto place = seen.place(handle.positionWorld);
     if (!place || !isHere(*place)) return;
     const bool light = handle.what.kind == Selection::Kind::light;
-    const float r = theme.em * (light ? 0.5f : 0.32f) * (look.flashes ? 1.5f : 1);
+    const float r = theme.em * (light ? 0.5f : 0.32f);
+    if (look.flashes) drawFlash(list, *place, theme);
     if (look.selected) drawArrows(list, seen, handle, *place, theme);
     list.AddCircleFilled(*place, r + 2, kDark);
     if (light) drawRays(list, *place, r, look.color(), theme);
     list.AddCircleFilled(*place, r, look.color());
-    if (light || look.stands())
-        plates.add({place->x + theme.em * 1.3f, place->y - theme.em * 1.6f}, 0, handle.label, look.color());
+    if (light || look.stands()) plates.add(*place, light ? 2 * r : r + 2, handle.label, look.nameColor());
 }
 
-/// The light that stages are about, for a moment after it was chosen: four times on and off.
+/// The light that stages are about, for a moment after it was chosen: on and off, first on.
 bool flashes(const WindowState& ui, const Selection& what) {
     const double left = ui.flashUntil - ImGui::GetTime();
     return left > 0 && what == Selection{Selection::Kind::light, ui.bench.document().light} &&
-           static_cast<int>(left / (kFlashSeconds / 8)) % 2 == 1;
+           static_cast<int>((kFlashSeconds - left) / kFlashTurnSeconds) % 2 == 0;
 }
 
 } // namespace
 
-void drawGizmos(ImDrawList& list, WindowState& ui, const ShownPane& pane, const Theme& theme) {
+void drawGizmos(ImDrawList& list, WindowState& ui, const ShownPane& pane, FreePlaces& places, const Theme& theme) {
     if (!ui.shown.handles || !showsHandles(ui, pane)) return;
     const scene::Camera& camera = ui.bench.document().camera;
     const SeenPane seen = seenIn(pane, camera);
-    NamePlates plates(list, pane, theme);
+    NamePlates plates(list, places, theme);
+    const Selection current{Selection::Kind::light, ui.bench.document().light};
+    const bool hasSeveral = ui.bench.shownScene()->lights.size() > 1;
     for (const Handle& handle : lab::handles(*ui.bench.shownScene(), ui.bench.bounds(), camera)) {
-        const Look look{handle.what == ui.selection, handle.what == ui.hovered, flashes(ui, handle.what)};
+        const Look look{handle.what == ui.selection, handle.what == ui.hovered, flashes(ui, handle.what),
+                        hasSeveral && handle.what == current};
         // Objects show theirs when the mouse is near: a picture full of dots would be no picture.
         if (handle.what.kind == Selection::Kind::object && !look.stands()) continue;
         drawHandle(list, plates, seen, handle, look, theme);
     }
+    plates.draw();
 }
 
 } // namespace shadowlab::window

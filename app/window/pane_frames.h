@@ -1,6 +1,8 @@
 // Where the panes lie in the window: their pictures, the bands above them with technique and verdict, and those below with legends.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
+
 #include "app/window/theme.h"
 #include "app/window/window_state.h"
 
@@ -15,22 +17,35 @@ struct Area {
     }
 };
 
-/// How the area between the bars is divided. The bands are equally high in all layouts, so that a picture keeps its size.
+/// Lines of the legends below each row of panes: what the pictures on show need (panels/legend_room.h).
+using LegendLines = std::array<int, 2>;
+
+/// How the area between the bars is divided. Where there is room, the bands of all layouts are equally high for pictures without a
+/// legend, or with one of a line, so that a picture keeps its size.
 struct PaneFrames {
     Area whole;
-    int header = 0, footer = 0; ///< heights in pixels; 0 where the window has no room for them
-    int headerLines = 1;        ///< two where technique and verdict do not fit into one
-    int rows = 1;               ///< of panes
+    int header = 0;                  ///< height in pixels; 0 where the window has no room for it
+    std::array<int, 2> footers{0, 0}; ///< heights in pixels, below each row of panes
+    bool isCompact = false;          ///< one line of small controls: the header of a low pane
+    int headerLines = 1;             ///< two where technique and verdict do not fit into one
+    int rows = 1;                    ///< of panes
+    /// Below the last row.
+    [[nodiscard]] int lastFooter() const { return footers[static_cast<std::size_t>(rows - 1)]; }
     /// What the pictures have together: the size that the workbench divides.
     [[nodiscard]] ivec2 pictureSize() const {
-        return {whole.size.x, std::max(0, whole.size.y - rows * (header + footer))};
+        return {whole.size.x, std::max(0, whole.size.y - rows * header - footers[0] - footers[1])};
     }
     /// From the first picture to the last.
     [[nodiscard]] Area pictures() const {
-        return {whole.corner + ivec2(0, header), {whole.size.x, std::max(0, whole.size.y - header - footer)}};
+        return {whole.corner + ivec2(0, header), {whole.size.x, std::max(0, whole.size.y - header - lastFooter())}};
     }
 };
-PaneFrames paneFrames(const WindowState& ui, const Theme& theme, const Area& whole);
+PaneFrames paneFrames(const WindowState& ui, const Theme& theme, const Area& whole, const LegendLines& legends);
+
+/// Lines that a legend may have at most below a pane of that height, so that its picture keeps the larger part.
+int mostLegendLines(const Theme& theme, int paneHeight);
+/// Width that a legend is laid out for. In the split picture half of it, wherever the line is.
+int legendWidth(picture::Layout layout, int wholeWidth);
 
 /// Where one pane's picture lies in the window.
 struct ShownPane {

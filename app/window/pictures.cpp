@@ -86,13 +86,13 @@ void drawPicked(ImDrawList& list, const WindowState& ui, const ShownPane& shown,
     if (document.picked) drawRing(list, shown, *document.picked, kAccent, 0.55f * theme.em);
 }
 
-/// At the right end of the band below the picture: what is not finished yet.
+/// In a pane without a header, at its lower right: what is not finished yet.
 void drawProgress(ImDrawList& list, const std::string& progress, const ShownPane& shown, const Theme& theme) {
     if (progress.empty()) return;
     const ImVec2 size = theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, progress.c_str());
-    const ImVec2 high = imVec(shown.footer.corner + shown.footer.size);
+    const ImVec2 high = imVec(shown.area.corner + shown.area.size);
     const ImVec2 corner(high.x - size.x - theme.em * 0.5f, high.y - size.y - theme.em * 0.25f);
-    list.AddRectFilled({corner.x - theme.em * 0.4f, corner.y - theme.em * 0.2f}, {high.x, high.y}, kPlateColor);
+    list.AddRectFilled({corner.x - theme.em * 0.4f, corner.y - theme.em * 0.2f}, high, kPlateColor);
     list.AddText(theme.text, theme.em, corner, kPlateText, progress.c_str());
 }
 
@@ -102,7 +102,8 @@ bool isJudged(const WindowState& ui, int pane) {
     return document.layout == Layout::diff || document.panes[static_cast<std::size_t>(pane)].stage.isJudged();
 }
 
-void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, const ShownPane& shown, const Theme& theme) {
+void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, const ShownPane& shown, bool hasHeader,
+              const Theme& theme) {
     const lab::Pane& pane = ui.bench.pane(shown.pane);
     const ImVec2 low = imVec(shown.area.corner), high = imVec(shown.area.corner + shown.area.size);
     list.PushClipRect(low, high, true);
@@ -119,15 +120,16 @@ void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, 
     else if (texture)
         drawFitted(list, texture, shown.area);
     if (!judged) drawLegend(list, pane.picture(), shown.footer, theme);
-    drawProgress(list, progressOf(ui, errors, shown.pane), shown, theme);
     list.PopClipRect();
 
     list.PushClipRect(low, high, true);
-    if (!ui.lesson.isOn()) drawGizmos(list, ui, shown, theme);
+    FreePlaces places = placesBesideObjects(ui, shown);
+    if (!ui.lesson.isOn()) drawGizmos(list, ui, shown, places, theme);
     drawPicked(list, ui, shown, theme);
-    drawProbeCard(list, ui, shown, theme);
+    drawProbeCard(list, ui, shown, places, theme);
     drawLessonMarks(list, ui, shown, theme);
     drawNote(list, shown, pane.failure(), kAccent, theme);
+    if (!hasHeader) drawProgress(list, progressOf(ui, errors, shown.pane).front(), shown, theme);
     list.PopClipRect();
 }
 
@@ -148,21 +150,26 @@ void drawSplitLine(ImDrawList& list, const WindowState& ui, const Area& area, co
 
 } // namespace
 
-std::string progressOf(const WindowState& ui, const lab::LiveErrors& errors, int number) {
+std::vector<std::string> progressOf(const WindowState& ui, const lab::LiveErrors& errors, int number) {
     const lab::Pane& pane = ui.bench.pane(number);
-    if (!pane.failure().empty()) return {};
-    if (pane.progress() < 1) return "preparing: " + std::to_string(static_cast<int>(100 * pane.progress())) + " %";
-    if (ui.bench.draft() > 1)
-        return "while it moves: one pixel for " + std::to_string(ui.bench.draft() * ui.bench.draft());
+    if (!pane.failure().empty()) return {""};
+    if (pane.progress() < 1) {
+        const std::string percent = std::to_string(static_cast<int>(100 * pane.progress())) + " %";
+        return {"preparing: " + percent, percent};
+    }
+    if (ui.bench.draft() > 1) {
+        const std::string count = std::to_string(ui.bench.draft() * ui.bench.draft());
+        return {"while it moves: one pixel for " + count, "1 pixel for " + count};
+    }
     const bool waits = isJudged(ui, number) && !errors.shownOn(ui.bench.document(), number);
-    return waits ? "finding the exact answer ..." : "";
+    return waits ? std::vector<std::string>{"finding the exact answer ...", "judging ..."} : std::vector<std::string>{""};
 }
 
 void drawPictures(WindowState& ui, const lab::LiveErrors& errors, const std::vector<ShownPane>& panes, const PaneFrames& frames,
                   const Theme& theme) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     for (const ShownPane& pane : panes)
-        drawPane(list, ui, errors, pane, theme);
+        drawPane(list, ui, errors, pane, frames.header > 0, theme);
     for (const ShownPane& pane : panes) { // the lines between panes that stand side by side
         if (hasSplitLine(ui) || pane.area.corner.x == frames.whole.corner.x) continue;
         const ImVec2 low = imVec(pane.area.corner);

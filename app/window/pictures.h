@@ -10,7 +10,7 @@ namespace shadowlab::window {
 void drawPictures(WindowState& ui, const lab::LiveErrors& errors, const std::vector<ShownPane>& panes, const PaneFrames& frames,
                   const Theme& theme);
 
-/// What is to be said of the pane while its picture is not finished; empty when there is nothing.
-std::string progressOf(const WindowState& ui, const lab::LiveErrors& errors, int pane);
+/// What is to be said of the pane while its picture is not finished: in full, and shorter. One empty text when there is nothing.
+std::vector<std::string> progressOf(const WindowState& ui, const lab::LiveErrors& errors, int pane);
 
 } // namespace shadowlab::window

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kBetweenTimes = 1.5;     ///< seconds, while something moves
 constexpr std::chrono::milliseconds kStripSlice{25}; ///< for the strip's pictures, in a frame that other pictures have filled
+constexpr float kLeastOfPictures = 0.5f; ///< of the window's height, that the strip leaves to the panes
 constexpr double kRestBeforeTimes = 0.25; ///< seconds; the judge's own look at what is new comes first, and is timed
 
 float panelWidth(const Theme& theme, int windowWidth) {
@@ -61,12 +62,26 @@ void Screen::fit(ivec2 windowPixels, float contentScale) {
     framebuffer_ = gl::Framebuffer(&picture_, nullptr, "window");
 }
 
-StoryLayout Screen::layout() const {
+Area Screen::room() const {
     const auto top = static_cast<int>(topBarHeight());
     const int right = ui_.shown.panel ? static_cast<int>(panelWidth(theme_, size_.x)) : 0;
-    const int width = std::max(0, size_.x - right - sourceWidth());
-    const int bottom = ui_.shown.strip ? static_cast<int>(stripHeight(theme_)) : 0;
-    return layStory(ui_, {{0, top}, glm::max(ivec2(0), ivec2(width, size_.y - top - bottom))}, theme_);
+    return {{0, top}, glm::max(ivec2(0), ivec2(size_.x - right - sourceWidth(), size_.y - top))};
+}
+
+StripShape Screen::stripShape() const {
+    if (!ui_.shown.strip) return window::stripShape(theme_, FLT_MAX); // of the pictures in the list of views
+    const StoryLayout without = layStory(ui_, room(), theme_);
+    return window::stripShape(theme_, static_cast<float>(without.pictures.size.y) - kLeastOfPictures * static_cast<float>(size_.y));
+}
+
+StoryLayout Screen::layout(const StripShape& strip) const {
+    Area room = this->room();
+    if (ui_.shown.strip) room.size.y = std::max(0, room.size.y - strip.height);
+    return layStory(ui_, room, theme_);
+}
+
+ivec2 Screen::pictureSize() const {
+    return ui_.bench.shownSize(paneFrames(ui_, theme_, layout(stripShape()).pictures, legends_.lines()).pictureSize());
 }
 
 int Screen::sourceWidth() const {
@@ -88,8 +103,9 @@ bool Screen::frame(double seconds) {
     ran_ = runKeys(ui_);
     if (!ui_.requests.news.empty()) say(std::exchange(ui_.requests.news, {}));
 
-    const StoryLayout story = layout();
-    const PaneFrames frames = paneFrames(ui_, theme_, story.pictures);
+    const StripShape stripShape = this->stripShape();
+    const StoryLayout story = layout(stripShape);
+    const PaneFrames frames = paneFrames(ui_, theme_, story.pictures, legends_.lines());
     const ivec2 pictures = frames.pictureSize();
     panes_ = window::shownPanes(ui_, frames, clock_);
     const bool painting = ui_.lesson.paints(); // then the mouse is a brush
@@ -119,9 +135,10 @@ bool Screen::frame(double seconds) {
     if (const std::string failure = errors_.takeFailure(); !failure.empty())
         complain("errors cannot be found: " + failure);
     keepWrongPixels(ui_, errors_);
-    const bool small = updateStrip(deadline);
+    const bool small = updateStrip(deadline, stripShape);
+    const bool hasOtherBands = legends_.follow(ui_, errors_, story.pictures, theme_);
     const bool figured = figure_.update(ui_, story.figure.size, theme_.em, labels_);
-    busy_ = drawn || figured || moved || painted || judged || small || !ran_.empty() || !ui_.bench.isAtRest() ||
+    busy_ = drawn || figured || moved || painted || judged || small || hasOtherBands || !ran_.empty() || !ui_.bench.isAtRest() ||
             ui_.flashUntil > ImGui::GetTime();
     settled_ = !busy_ && errors_.isDone();
 
@@ -129,8 +146,8 @@ bool Screen::frame(double seconds) {
     drawMagnifiers(ui_, errors_, panes_, theme_);
     viewsAreOpen_ = false;
     for (const PaneHeader& header : paneHeaders(ui_, frames))
-        viewsAreOpen_ = paneHeader(ui_, errors_, strip_, header, frames.headerLines, theme_) || viewsAreOpen_;
-    drawWidgets(story);
+        viewsAreOpen_ = paneHeader(ui_, errors_, strip_, header, frames, theme_) || viewsAreOpen_;
+    drawWidgets(story, stripShape);
     drawMessages(frames);
     ui_.requests.focusPanel = false;
     ImGui::Render();
@@ -143,7 +160,7 @@ bool Screen::frame(double seconds) {
     return true;
 }
 
-bool Screen::updateStrip(Deadline deadline) {
+bool Screen::updateStrip(Deadline deadline, const StripShape& shape) {
     if (!(ui_.shown.strip || viewsAreOpen_) || !ui_.bench.isAtRest()) return false;
     if (!ran_.empty()) return true; // what a key has changed is seen first
     deadline = std::max(deadline, std::chrono::steady_clock::now() + kStripSlice);
@@ -151,14 +168,14 @@ bool Screen::updateStrip(Deadline deadline) {
     active.pane = ui_.bench.document().active;
     try {
         return strip_.update(ui_.bench.session(), ui_.bench.encoder(), ui_.bench.requestFor(active),
-                             thumbnailSize(theme_), deadline);
+                             shape.thumbnail, deadline);
     } catch (const std::exception& fault) {
         complain(fault.what());
         return false;
     }
 }
 
-void Screen::drawWidgets(const StoryLayout& story) {
+void Screen::drawWidgets(const StoryLayout& story, const StripShape& strip) {
     const int top = story.pictures.corner.y;
     const int besideStory = story.room.size.x;
     topBar(ui_, {{0, 0}, {size_.x, top}}, theme_);
@@ -167,8 +184,8 @@ void Screen::drawWidgets(const StoryLayout& story) {
     if (ui_.shown.panel)
         sidePanel(ui_, errors_, {{besidePictures, top}, {size_.x - besidePictures, size_.y - top}}, theme_);
     storyBar(ui_, figure_, story, theme_);
-    const int below = static_cast<int>(static_cast<float>(size_.y) - stripHeight(theme_));
-    if (ui_.shown.strip) stripPanel(ui_, strip_, {{0, below}, {besideStory, size_.y - below}}, theme_);
+    if (ui_.shown.strip)
+        stripPanel(ui_, strip_, {{0, size_.y - strip.height}, {besideStory, strip.height}}, strip, theme_);
     if (ui_.shown.keys) keyOverlay(size_, theme_);
 }
 
@@ -181,7 +198,7 @@ void Screen::drawMessages(const PaneFrames& frames) {
                   [&](const Message& message) { return !message.fault && clock_ > message.untilSeconds; });
     // From the foot of the pictures upward, the newest lowest: most are one line, in the place of the legends.
     const Area pictures = frames.pictures();
-    float bottom = static_cast<float>(pictures.corner.y + pictures.size.y + frames.footer);
+    float bottom = static_cast<float>(pictures.corner.y + pictures.size.y + frames.lastFooter());
     const float width = std::min(static_cast<float>(pictures.size.x), theme_.em * 60);
     for (std::size_t i = ui_.messages.size(); i-- > 0;) {
         const Message message = ui_.messages[i];

@@ -10,6 +10,8 @@
 
 #include "app/lab/stage_strip.h"
 #include "app/window/imgui_bridge.h"
+#include "app/window/panels/legend_room.h"
+#include "app/window/panels/panels.h"
 #include "app/window/panels/source_panel.h"
 #include "app/window/panels/story_bar.h"
 #include "app/window/pictures.h"
@@ -45,7 +47,7 @@ public:
     /// Whether the next frame should follow at once. False while only exact errors are missing, which need the processor.
     [[nodiscard]] bool isBusy() const { return busy_; }
     /// Pixels of the picture area: what a capture of the pictures alone has.
-    [[nodiscard]] ivec2 pictureSize() const { return ui_.bench.shownSize(paneFrames(ui_, theme_, layout().pictures).pictureSize()); }
+    [[nodiscard]] ivec2 pictureSize() const;
     /// Whether the next frame would look just like this one, without input and without time passing.
     [[nodiscard]] bool isSettled() const { return settled_; }
     [[nodiscard]] const lab::LiveErrors& errors() const { return errors_; }
@@ -69,12 +71,15 @@ public:
 
 private:
     void drawMessages(const PaneFrames& frames);
-    void drawWidgets(const StoryLayout& story);
+    void drawWidgets(const StoryLayout& story, const StripShape& strip);
     /// Where pictures, band and drawing are.
-    [[nodiscard]] StoryLayout layout() const;
+    [[nodiscard]] StoryLayout layout(const StripShape& strip) const;
+    /// What the strip and all of that share.
+    [[nodiscard]] Area room() const;
+    [[nodiscard]] StripShape stripShape() const;
     [[nodiscard]] int sourceWidth() const;
     /// Small pictures wait until nothing moves: they must not slow down what does.
-    bool updateStrip(Deadline deadline);
+    bool updateStrip(Deadline deadline, const StripShape& shape);
 
     WindowState& ui_;
     std::filesystem::path fontFile_;
@@ -85,6 +90,7 @@ private:
     std::unique_ptr<WidgetRenderer> renderer_;
     Theme theme_;
     lab::StageStrip strip_;
+    LegendRoom legends_;
     SourcePanel source_;
     SlideFigure figure_;
     image::Font labels_; ///< for numbers inside of pictures

@@ -13,7 +13,9 @@ namespace shadowlab::window {
 namespace {
 
 constexpr float kSmallest = 0.72f; ///< of the text's size: what the last row still reads in presenter mode
-constexpr float kBarEm = 11;       ///< length of a bar
+constexpr float kSmaller = 0.04f;  ///< steps of that size, tried until the lines are enough
+constexpr float kLineEm = 1.25f;
+constexpr float kBarEm = 11, kShortestBarEm = 4; ///< length of a bar
 constexpr int kBarSteps = 64; ///< colours of a bar: finer than the eye can distinguish
 
 float textWidth(const Theme& theme, float em, const std::string& text) {
@@ -26,7 +28,7 @@ void drawBar(ImDrawList& list, const lab::PanePicture& picture, const Area& band
     const std::string low = picture::shortNumber(display.minimum), high = picture::shortNumber(display.maximum);
     const float room = static_cast<float>(band.size.x) - theme.em;
     const auto wantedWidth = [&](float em) {
-        return textWidth(theme, em, display.unit) + textWidth(theme, em, low + high) + (kBarEm + 2) * em;
+        return textWidth(theme, em, display.unit) + textWidth(theme, em, low + high) + (kShortestBarEm + 2) * em;
     };
     const float em = std::round(theme.em * std::clamp(room / wantedWidth(theme.em), kSmallest, 1.0f));
     const float pad = em * 0.5f, height = em * 0.8f;
@@ -72,32 +74,53 @@ std::vector<KeyItem> itemsOf(const std::vector<KeyEntry>& key) {
     return items;
 }
 
-/// Swatches with their words, one after the other.
-void drawKey(ImDrawList& list, const std::vector<KeyEntry>& key, const Area& band, const Theme& theme) {
-    const float room = static_cast<float>(band.size.x) - theme.em;
-    const std::vector<KeyItem> items = itemsOf(key);
-    const auto itemWidth = [&](const KeyItem& item, float em) {
-        return textWidth(theme, em, item.words) + (item.swatch ? 2.4f : 1.2f) * em;
-    };
-    float wanted = 0;
-    for (const KeyItem& item : items)
-        wanted += itemWidth(item, theme.em);
-    const float em = std::round(theme.em * std::clamp(room / wanted, kSmallest, 1.0f));
-    std::vector<std::vector<const KeyItem*>> lines(1);
+float itemWidth(const KeyItem& item, float em, const Theme& theme) {
+    return textWidth(theme, em, item.words) + (item.swatch ? 2.4f : 1.2f) * em;
+}
+
+/// The items, line by line.
+using KeyLines = std::vector<std::vector<const KeyItem*>>;
+
+KeyLines brokenLines(const std::vector<KeyItem>& items, float em, float room, const Theme& theme) {
+    KeyLines lines(1);
     float used = 0;
     for (const KeyItem& item : items) {
-        if (used > 0 && used + itemWidth(item, em) > room) {
+        const float width = itemWidth(item, em, theme);
+        if (used > 0 && used + width > room) {
             lines.emplace_back();
             used = 0;
         }
         lines.back().push_back(&item);
-        used += itemWidth(item, em);
+        used += width;
     }
-    const float lineHeight = lines.size() == 1 ? static_cast<float>(band.size.y) : em * 1.25f;
-    const float left = static_cast<float>(band.corner.x), bottom = static_cast<float>(band.corner.y + band.size.y);
-    float y = bottom - lineHeight * static_cast<float>(lines.size());
-    if (lines.size() > 1)
-        list.AddRectFilled({left, y}, {left + static_cast<float>(band.size.x), bottom}, kPlateColor);
+    return lines;
+}
+
+/// A key in as many lines as there may be, and the type it is set in.
+struct KeyLayout {
+    float em = 0;
+    KeyLines lines;
+};
+
+KeyLayout layKey(const std::vector<KeyItem>& items, int width, int most, const Theme& theme) {
+    const float room = static_cast<float>(width) - theme.em * 0.5f;
+    KeyLayout key;
+    for (float share = 1; share >= kSmallest; share -= kSmaller) {
+        key.em = std::round(theme.em * share);
+        key.lines = brokenLines(items, key.em, room, theme);
+        if (static_cast<int>(key.lines.size()) <= most) break;
+    }
+    return key;
+}
+
+/// Swatches with their words, one after the other.
+void drawKey(ImDrawList& list, const std::vector<KeyEntry>& entries, const Area& band, const Theme& theme) {
+    const std::vector<KeyItem> items = itemsOf(entries);
+    const int most = std::max(1, static_cast<int>(static_cast<float>(band.size.y) / (kLineEm * theme.em)));
+    const auto [em, lines] = layKey(items, band.size.x, most, theme);
+    const auto height = static_cast<float>(band.size.y), left = static_cast<float>(band.corner.x);
+    const float lineHeight = lines.size() == 1 ? height : std::min(em * kLineEm, height / static_cast<float>(lines.size()));
+    float y = static_cast<float>(band.corner.y) + (height - lineHeight * static_cast<float>(lines.size())) / 2;
     for (const auto& line : lines) {
         float x = left + em * 0.5f;
         const float swatch = em * 0.85f, top = y + (lineHeight - swatch) / 2;
@@ -106,16 +129,25 @@ void drawKey(ImDrawList& list, const std::vector<KeyEntry>& key, const Area& ban
                 list.AddRectFilled({x, top}, {x + swatch, top + swatch}, shownColor(item->swatch->colorLinear));
             const float textX = item->swatch ? x + swatch + em * 0.4f : x;
             list.AddText(theme.text, em, {textX, y + (lineHeight - em) / 2 - em * 0.1f}, kPlateText, item->words.c_str());
-            x += itemWidth(*item, em);
+            x += itemWidth(*item, em, theme);
         }
         y += lineHeight;
     }
 }
 
+bool hasBar(const lab::PanePicture& picture) { return picture.kind == StageKind::scalar || picture.kind == StageKind::count; }
+
 } // namespace
 
+int legendLines(const lab::PanePicture& picture, int width, int most, const Theme& theme) {
+    if (hasBar(picture)) return 1;
+    if (picture.display.key.empty()) return 0;
+    return std::min(most, static_cast<int>(layKey(itemsOf(picture.display.key), width, most, theme).lines.size()));
+}
+
 void drawLegend(ImDrawList& list, const lab::PanePicture& picture, const Area& band, const Theme& theme) {
-    if (picture.kind == StageKind::scalar || picture.kind == StageKind::count)
+    if (band.size.y < 1) return;
+    if (hasBar(picture))
         drawBar(list, picture, band, theme);
     else if (!picture.display.key.empty())
         drawKey(list, picture.display.key, band, theme);

@@ -6,8 +6,11 @@
 
 namespace shadowlab::window {
 
-/// In one line, in smaller type where it is long; what does not fit even so stands in further lines that reach up over the
-/// picture's edge. Nothing for pictures that need no legend.
+/// Into the band, in the type of the headers. Smaller type where the band has too few lines for it. Nothing for pictures that need
+/// no legend.
 void drawLegend(ImDrawList& list, const lab::PanePicture& picture, const Area& band, const Theme& theme);
+
+/// The lines that it needs at a width in pixels, of `most`; 0 where there is none.
+int legendLines(const lab::PanePicture& picture, int width, int most, const Theme& theme);
 
 } // namespace shadowlab::window

@@ -14,28 +14,116 @@ namespace shadowlab::window {
 
 namespace {
 
-constexpr float kTechniqueShare = 0.54f; ///< of the line, for the technique; the view has the rest
+constexpr float kTechniqueShare = 0.54f; ///< of the line at least, where not all fits; the view has the rest
+constexpr const char* kEllipsis = "\u2026";
 
-/// The settings that say which of two panes with the same technique this one is.
+/// What of the text fits into the width, with an ellipsis in place of the rest.
+std::string cutTo(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    std::string cut = text;
+    while (!cut.empty() && ImGui::CalcTextSize((cut + kEllipsis).c_str()).x > width) {
+        while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0) == 0x80) cut.pop_back(); // the rest of a letter in UTF-8
+        if (!cut.empty()) cut.pop_back();
+    }
+    while (!cut.empty() && cut.back() == ' ') cut.pop_back();
+    return cut + kEllipsis;
+}
+
+/// The settings that say which of two panes with the same technique this one is: those that are not the same in both.
 std::string differences(const WindowState& ui, int pane) {
     const auto& panes = ui.bench.document().panes;
     const lab::PaneState& state = panes[static_cast<std::size_t>(pane)];
-    bool twice = false;
-    for (int other = 0; other < lab::shownPanes(ui.bench.document().layout); ++other)
-        twice = twice || (other != pane && panes[static_cast<std::size_t>(other)].technique == state.technique);
     std::string text;
-    if (twice)
-        for (const auto& [param, value] : state.values())
-            text += (text.empty() ? "" : ", ") + param + " " + value;
+    for (const auto& [param, value] : state.values()) {
+        bool differs = false;
+        for (int other = 0; other < lab::shownPanes(ui.bench.document().layout); ++other) {
+            const lab::PaneState& theirs = panes[static_cast<std::size_t>(other)];
+            if (other == pane || theirs.technique != state.technique) continue;
+            const auto found = theirs.values().find(param);
+            differs = differs || found == theirs.values().end() || found->second != value;
+        }
+        if (differs) text += (text.empty() ? "" : ", ") + param + " " + value;
+    }
     return text;
 }
 
-void techniqueMenu(WindowState& ui, int pane, float width) {
+/// What a pane is called, and how that is made shorter.
+struct Title {
+    std::string technique, settings; ///< settings: those that tell it from another pane; they are cut last
+    std::string view, shortView;     ///< what is shown of it
+
+    [[nodiscard]] std::string whole() const { return technique + (settings.empty() ? "" : ": " + settings); }
+    [[nodiscard]] std::string techniqueIn(float width) const {
+        if (settings.empty() || ImGui::CalcTextSize(whole().c_str()).x <= width) return cutTo(whole(), width);
+        const std::string end = ": " + settings;
+        const float rest = width - ImGui::CalcTextSize(end.c_str()).x;
+        return rest > 3 * ImGui::GetFontSize() ? cutTo(technique, rest) + end : cutTo(settings, width);
+    }
+    [[nodiscard]] std::string viewIn(float width) const {
+        return ImGui::CalcTextSize(view.c_str()).x <= width ? view : cutTo(shortView, width);
+    }
+};
+
+Title titleOf(const WindowState& ui, int pane) {
+    const lab::PaneState& state = ui.bench.document().panes[static_cast<std::size_t>(pane)];
+    const TechniqueInfo& info = findTechnique(state.technique);
+    Title title{std::string(info.title), differences(ui, pane), {}, {}};
+    if (ui.bench.document().layout == picture::Layout::diff) { // of finished pictures, whatever the panes show elsewhere
+        title.view = "compared: its wrong pixels";
+        title.shortView = "compared";
+    } else if (state.stage.isPass) {
+        title.view = title.shortView = "after a step";
+    } else if (state.stage.ofAnyLight().isPicture()) {
+        title.view = "the finished picture";
+        title.shortView = "finished";
+    } else {
+        const std::string light = state.stage.light ? *state.stage.light + ": " : "";
+        title.view = title.shortView = light + picture::captionOf(info, state.stage.id);
+    }
+    return title;
+}
+
+/// How the line of the two menus is divided.
+struct MenuWidths {
+    float technique = 0, view = 0;
+    bool hasArrows = true;
+};
+
+/// Each as wide as its text, if both fit into the room; else the view is made shorter first.
+MenuWidths menuWidths(const Title& title, float room, bool isCompact) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const auto needed = [&](const std::string& text, bool arrow) {
+        return std::ceil(ImGui::CalcTextSize(text.c_str()).x + 2 * style.FramePadding.x + (arrow ? ImGui::GetFrameHeight() : 0) + 1);
+    };
+    MenuWidths widths;
+    widths.hasArrows = !isCompact && needed(title.whole(), true) + needed(title.shortView, true) + style.ItemSpacing.x <= room;
+    room -= style.ItemSpacing.x;
+    const float technique = needed(title.whole(), widths.hasArrows), view = needed(title.view, widths.hasArrows);
+    if (technique + view <= room) {
+        // Equal headers have equal menus; in a compact one the verdict needs the room.
+        const float share = isCompact ? technique : std::max(technique, std::min(room - view, std::round(room * kTechniqueShare)));
+        widths.technique = share;
+        widths.view = isCompact ? view : room - share;
+        return widths;
+    }
+    const float least = std::min(needed(title.shortView, widths.hasArrows), std::round(room * (1 - kTechniqueShare)));
+    widths.technique = std::min(technique, room - least);
+    widths.view = room - widths.technique;
+    return widths;
+}
+
+/// Of a menu's button, for its text.
+float textRoom(float width, bool hasArrow) {
+    return width - 2 * ImGui::GetStyle().FramePadding.x - (hasArrow ? ImGui::GetFrameHeight() : 0);
+}
+
+ImGuiComboFlags menuFlags(bool hasArrow) { return ImGuiComboFlags_HeightLargest | (hasArrow ? 0 : ImGuiComboFlags_NoArrowButton); }
+
+void techniqueMenu(WindowState& ui, int pane, const Title& title, const MenuWidths& widths) {
     const TechniqueInfo& info = findTechnique(ui.bench.document().panes[static_cast<std::size_t>(pane)].technique);
-    const std::string differs = differences(ui, pane);
-    const std::string shown = std::string(info.title) + (differs.empty() ? "" : ": " + differs);
-    ImGui::SetNextItemWidth(width);
-    if (ImGui::BeginCombo("##technique", shown.c_str(), ImGuiComboFlags_HeightLargest)) {
+    ImGui::SetNextItemWidth(widths.technique);
+    const std::string shown = title.techniqueIn(textRoom(widths.technique, widths.hasArrows));
+    if (ImGui::BeginCombo("##technique", shown.c_str(), menuFlags(widths.hasArrows))) {
         ui.bench.activate(pane);
         const auto entry = [&](const RegisteredTechnique& technique, const std::string& key) {
             const std::string label = key + "  " + std::string(technique.info->title);
@@ -50,7 +138,7 @@ void techniqueMenu(WindowState& ui, int pane, float width) {
             entry(technique, " ");
         ImGui::EndCombo();
     }
-    hint((shown + "\nthe technique of this pane (number keys)").c_str());
+    hint((title.whole() + "\nthe technique of this pane (number keys)").c_str());
 }
 
 /// One line of the menu: a small picture, where there is one, and what it shows.
@@ -77,19 +165,18 @@ bool viewEntry(const std::string& caption, bool chosen, const lab::Thumbnail* th
 }
 
 /// True while it is open.
-bool viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, float width, const Theme& theme) {
+bool viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, const Title& title, const MenuWidths& widths,
+              const Theme& theme) {
     const lab::PaneState& state = ui.bench.document().panes[static_cast<std::size_t>(pane)];
     const TechniqueInfo& info = findTechnique(state.technique);
     const bool differs = ui.bench.document().layout == picture::Layout::diff; // of finished pictures, whatever the panes show elsewhere
     const picture::StageRef now = differs ? picture::StageRef() : state.stage.ofAnyLight();
-    const std::string shown = now.isPass        ? "after a step"
-                              : now.isPicture() ? "the finished picture"
-                                                : picture::captionOf(info, now.id);
-    ImGui::SetNextItemWidth(width);
+    const std::string shown = title.viewIn(textRoom(widths.view, widths.hasArrows));
+    ImGui::SetNextItemWidth(widths.view);
     // Wider than its button: captions are sentences. Not over all of the window, so that the list hangs below the button.
-    ImGui::SetNextWindowSizeConstraints({std::max(width, 30 * theme.em), 0},
+    ImGui::SetNextWindowSizeConstraints({std::max(widths.view, 30 * theme.em), 0},
                                         {FLT_MAX, std::max(6 * theme.em, ImGui::GetIO().DisplaySize.y - 6 * theme.em)});
-    const bool isOpen = ImGui::BeginCombo("##view", shown.c_str(), ImGuiComboFlags_HeightLargest);
+    const bool isOpen = ImGui::BeginCombo("##view", shown.c_str(), menuFlags(widths.hasArrows));
     if (isOpen) {
         ui.bench.activate(pane);
         const auto entry = [&](const picture::StageRef& stage, const std::string& caption) {
@@ -107,74 +194,111 @@ bool viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, float wid
             if (!picture::isDerived(stage.id)) entry({std::string(stage.id)}, std::string(stage.caption));
         ImGui::EndCombo();
     }
-    hint((shown + "\nwhat this pane shows: E error, U truth, O from outside, T all stages").c_str());
+    hint((title.view + "\nwhat this pane shows: E error, U truth, O from outside, T all stages").c_str());
     return isOpen;
 }
 
-/// "lamp: 404 wrong pixels, edge 0.21 px, 12 ms"
-std::string verdictLine(const WindowState& ui, const lab::LiveErrors& errors, int pane) {
-    if (ui.lesson.paints()) return "judged when the truth is shown";
+/// "lamp: 404 wrong pixels, edge 0.21 px, 12 ms", and shorter: what is left out has the tooltip.
+std::vector<std::string> verdictForms(const WindowState& ui, const lab::LiveErrors& errors, int pane) {
+    if (ui.lesson.paints()) return {"judged when the truth is shown", "not judged yet"};
     const auto& lights = ui.bench.shownScene()->lights;
-    std::string text;
+    std::string light;
     if (lights.size() > 1)
-        text = lights[std::min(static_cast<std::size_t>(ui.bench.document().light), lights.size() - 1)].name + ": ";
-    const bool isStep = ui.bench.document().panes[static_cast<std::size_t>(pane)].stage.isPass;
-    if (isStep) {
-        text += "a step, not judged";
-    } else if (const lab::PaneErrors* known = errors.errors(pane)) {
-        const int wrong = known->counts.wrong();
-        text += std::to_string(wrong) + (wrong == 1 ? " wrong pixel" : " wrong pixels");
-        if (known->edgeErrorPx) text += ", edge " + picture::fixed(*known->edgeErrorPx, 2) + " px";
-    } else {
-        text += "not judged yet";
-    }
-    if (ui.live && ui.showsTimes) text += ", " + std::to_string(std::lround(ui.bench.pane(pane).rendered().frameMs)) + " ms";
-    return text;
+        light = lights[std::min(static_cast<std::size_t>(ui.bench.document().light), lights.size() - 1)].name + ": ";
+    const bool hasTime = ui.live && ui.showsTimes;
+    const std::string time = hasTime ? ", " + std::to_string(std::lround(ui.bench.pane(pane).rendered().frameMs)) + " ms" : "";
+    if (ui.bench.document().panes[static_cast<std::size_t>(pane)].stage.isPass)
+        return {light + "a step, not judged" + time, light + "a step, not judged", light + "a step"};
+    const lab::PaneErrors* const known = errors.errors(pane);
+    if (!known) return {light + "not judged yet" + time, light + "not judged yet", light + "not judged"};
+    const int wrong = known->counts.wrong();
+    const std::string count = light + std::to_string(wrong) + " wrong";
+    const std::string edge = known->edgeErrorPx ? picture::fixed(*known->edgeErrorPx, 2) + " px" : "";
+    const std::string withEdge = count + (edge.empty() ? "" : ", " + edge);
+    return {count + (wrong == 1 ? " pixel" : " pixels") + (edge.empty() ? "" : ", edge " + edge) + time,
+            withEdge + time, withEdge, count};
 }
 
-void verdict(const WindowState& ui, const lab::LiveErrors& errors, const PaneHeader& header, int lines) {
-    const std::string text = verdictLine(ui, errors, header.pane);
-    if (lines == 1) {
-        const float right = static_cast<float>(header.area.size.x) - ImGui::GetStyle().WindowPadding.x;
-        ImGui::SameLine();
-        ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), right - ImGui::CalcTextSize(text.c_str()).x));
-        ImGui::AlignTextToFramePadding();
-    }
-    ImGui::TextUnformatted(text.c_str());
-    const lab::PaneErrors* const known = errors.errors(header.pane);
-    if (!ImGui::IsItemHovered() || !known || ui.lesson.paints()) return;
-    ImGui::SetTooltip("of the whole picture: %d pixels lit that are in shadow, %d in shadow that are lit%s\n"
+/// The first that fits; the last, cut, where none does.
+std::string fitting(const std::vector<std::string>& forms, float width) {
+    for (const std::string& form : forms)
+        if (ImGui::CalcTextSize(form.c_str()).x <= width) return form;
+    return cutTo(forms.back(), width);
+}
+
+void verdictTooltip(const lab::PaneErrors& known, const std::string& whole) {
+    ImGui::SetTooltip("%s\nof the whole picture: %d pixels lit that are in shadow, %d in shadow that are lit%s\n"
                       "edge: how far on average the shadow's edge is from where it belongs, in pixels",
-                      known->counts.falseLit, known->counts.falseShadow, known->exact ? "" : "\nexact when all is at rest");
+                      whole.c_str(), known.counts.falseLit, known.counts.falseShadow, known.exact ? "" : "\nexact when all is at rest");
+}
+
+/// The verdict, and what is not finished yet at its right; in its place, where there is no room for both.
+void verdict(const WindowState& ui, const lab::LiveErrors& errors, const PaneHeader& header, bool isBesideMenus) {
+    const float right = static_cast<float>(header.area.size.x) - ImGui::GetStyle().WindowPadding.x;
+    const float gap = 2 * ImGui::GetStyle().ItemSpacing.x;
+    if (isBesideMenus) ImGui::SameLine();
+    const float left = ImGui::GetCursorPosX(), room = right - left;
+    const std::vector<std::string> forms = verdictForms(ui, errors, header.pane);
+    std::string progress = fitting(progressOf(ui, errors, header.pane), room);
+    const float progressWidth = progress.empty() ? 0 : ImGui::CalcTextSize(progress.c_str()).x;
+    const float rest = progress.empty() ? room : room - progressWidth - gap;
+    const bool hasVerdict = rest >= ImGui::CalcTextSize(forms.back().c_str()).x || progress.empty();
+    const std::string text = hasVerdict ? fitting(forms, rest) : "";
+    if (isBesideMenus) ImGui::AlignTextToFramePadding();
+    if (hasVerdict) {
+        if (isBesideMenus && progress.empty()) ImGui::SetCursorPosX(std::max(left, right - ImGui::CalcTextSize(text.c_str()).x));
+        ImGui::TextUnformatted(text.c_str());
+        const lab::PaneErrors* const known = errors.errors(header.pane);
+        if (ImGui::IsItemHovered() && known && !ui.lesson.paints()) verdictTooltip(*known, forms.front());
+    }
+    if (progress.empty()) return;
+    if (hasVerdict) ImGui::SameLine();
+    ImGui::SetCursorPosX(std::max(left, right - progressWidth));
+    ImGui::TextUnformatted(progress.c_str());
+}
+
+/// Of a verdict beside the menus: as wide as it can get, so that they do not move with its numbers. In a compact header of its
+/// shortest form.
+float verdictRoom(const WindowState& ui, bool isCompact) {
+    std::size_t longest = 0;
+    for (const auto& light : ui.bench.shownScene()->lights)
+        longest = std::max(longest, light.name.size());
+    const bool hasSeveral = ui.bench.shownScene()->lights.size() > 1;
+    const std::string light = hasSeveral ? std::string(longest, 'n') + ": " : "";
+    return ImGui::CalcTextSize((light + (isCompact ? "99999 wrong" : "9999 wrong pixels, edge 0.00 px, 999 ms")).c_str()).x;
+}
+
+/// The pane that keys and panels are about, where there are several.
+void markActive(const PaneHeader& header, const Theme& theme) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 low = ImGui::GetWindowPos();
+    list.PushClipRectFullScreen(); // the line lies in the window's padding
+    list.AddRectFilled(low, {low.x + static_cast<float>(header.area.size.x), low.y + std::max(3.0f, std::round(theme.em * 0.16f))}, kAccent);
+    list.PopClipRect();
 }
 
 } // namespace
 
-bool paneHeader(WindowState& ui, const lab::LiveErrors& errors, const lab::StageStrip& strip, const PaneHeader& header, int lines,
-                const Theme& theme) {
+bool paneHeader(WindowState& ui, const lab::LiveErrors& errors, const lab::StageStrip& strip, const PaneHeader& header,
+                const PaneFrames& frames, const Theme& theme) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float inset = theme.em * 0.5f;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {inset, theme.em * 0.12f});
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.FramePadding.x, theme.em * 0.1f});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.em * 0.4f, theme.em * 0.15f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {inset, theme.em * 0.2f});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.FramePadding.x, theme.em * (frames.isCompact ? 0.03f : 0.08f)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.em * 0.4f, theme.em * 0.1f});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
     beginIn(("pane " + std::to_string(header.pane + 1)).c_str(), header.area,
             ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
-    const bool several = lab::shownPanes(ui.bench.document().layout) > 1;
-    if (several && header.pane == ui.bench.document().active) {
-        const ImVec2 low = ImGui::GetWindowPos();
-        ImGui::GetWindowDrawList()->AddRectFilled(
-            low, {low.x + std::max(3.0f, theme.em * 0.2f), low.y + static_cast<float>(header.area.size.y)}, kAccent);
-    }
+    if (lab::shownPanes(ui.bench.document().layout) > 1 && header.pane == ui.bench.document().active) markActive(header, theme);
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) ui.bench.activate(header.pane);
-    float room = static_cast<float>(header.area.size.x) - 2 * inset - style.ItemSpacing.x;
-    if (lines == 1) // beside a long verdict
-        room -= ImGui::CalcTextSize("cool lamp: 9999 wrong pixels, edge 0.00 px, 999 ms").x;
-    room = std::min(room, theme.em * 34);
-    techniqueMenu(ui, header.pane, std::round(room * kTechniqueShare));
+    float room = static_cast<float>(header.area.size.x) - 2 * inset;
+    if (frames.headerLines == 1) room -= verdictRoom(ui, frames.isCompact) + style.ItemSpacing.x;
+    const Title title = titleOf(ui, header.pane);
+    const MenuWidths widths = menuWidths(title, std::min(room, theme.em * 40), frames.isCompact);
+    techniqueMenu(ui, header.pane, title, widths);
     ImGui::SameLine();
-    const bool isOpen = viewMenu(ui, header.pane, strip, std::round(room * (1 - kTechniqueShare)), theme);
-    verdict(ui, errors, header, lines);
+    const bool isOpen = viewMenu(ui, header.pane, strip, title, widths, theme);
+    verdict(ui, errors, header, frames.headerLines == 1);
     ImGui::End();
     ImGui::PopStyleVar(4);
     return isOpen;

@@ -17,8 +17,8 @@ float topBarHeight();
 void topBar(WindowState& ui, const Area& area, const Theme& theme);
 
 /// The band above a pane: its technique, what is shown of it, and how wrong it is. True while its list of views is open.
-bool paneHeader(WindowState& ui, const lab::LiveErrors& errors, const lab::StageStrip& strip, const PaneHeader& header, int lines,
-                const Theme& theme);
+bool paneHeader(WindowState& ui, const lab::LiveErrors& errors, const lab::StageStrip& strip, const PaneHeader& header,
+                const PaneFrames& frames, const Theme& theme);
 
 // Beside the pictures: all about the active pane.
 void sidePanel(WindowState& ui, const lab::LiveErrors& errors, const Area& area, const Theme& theme);
@@ -37,11 +37,16 @@ void errorTable(const WindowState& ui, const lab::LiveErrors& errors);
 void historyPlot(const WindowState& ui, const lab::LiveErrors& errors, const Theme& theme);
 
 // Below the pictures, and below the band (story_bar.h).
-float stripHeight(const Theme& theme);
-/// The size of one small picture of the strip.
-ivec2 thumbnailSize(const Theme& theme);
+/// How large the strip is.
+struct StripShape {
+    int height = 0;
+    ivec2 thumbnail{0}; ///< the size of one small picture
+    int captionLines = 0;
+};
+/// As high as it needs, in `most` pixels; not lower than pictures need in which something is seen.
+StripShape stripShape(const Theme& theme, float most);
 /// All stages as small pictures; a click fills the active pane with one.
-void stripPanel(WindowState& ui, const lab::StageStrip& strip, const Area& area, const Theme& theme);
+void stripPanel(WindowState& ui, const lab::StageStrip& strip, const Area& area, const StripShape& shape, const Theme& theme);
 
 // Over the pictures.
 /// The same place of every pane's picture, enlarged until single pixels are seen, in the lower right corner of each pane. Of a

@@ -11,6 +11,8 @@ namespace shadowlab::window {
 namespace {
 
 constexpr int kCaptionLines = 3;
+constexpr float kThumbnailEm = 5.5f, kLeastThumbnailEm = 3; ///< heights of a small picture
+constexpr float kCaptionLineEm = 0.95f;
 
 /// The picture in the middle of a frame of that size, its proportions kept.
 void drawInFrame(ImDrawList& list, const lab::PanePicture& picture, ImVec2 corner, ImVec2 frame) {
@@ -38,18 +40,22 @@ void drawWord(ImDrawList& list, const lab::Thumbnail& thumbnail, double progress
 
 } // namespace
 
-ivec2 thumbnailSize(const Theme& theme) {
-    const auto height = static_cast<int>(theme.em * 5.5f);
-    return {height * 16 / 9, height};
-}
-
-float stripHeight(const Theme& theme) {
+StripShape stripShape(const Theme& theme, float most) {
     const ImGuiStyle& style = ImGui::GetStyle();
-    return static_cast<float>(thumbnailSize(theme).y) + kCaptionLines * theme.em * 0.95f + 2 * style.WindowPadding.y +
-           style.ScrollbarSize + theme.em * 0.3f;
+    const float rim = 2 * style.WindowPadding.y + style.ScrollbarSize + theme.em * 0.3f;
+    StripShape shape;
+    shape.captionLines = kCaptionLines;
+    const auto pictureHeight = [&] { return most - rim - static_cast<float>(shape.captionLines) * kCaptionLineEm * theme.em; };
+    while (shape.captionLines > 1 && pictureHeight() < kThumbnailEm * theme.em) // words go first: the tooltip has them
+        --shape.captionLines;
+    const float height = std::clamp(pictureHeight(), kLeastThumbnailEm * theme.em, kThumbnailEm * theme.em);
+    shape.thumbnail = {static_cast<int>(height) * 16 / 9, static_cast<int>(height)};
+    shape.height = static_cast<int>(height + rim + static_cast<float>(shape.captionLines) * kCaptionLineEm * theme.em);
+    return shape;
 }
 
-void stripPanel(WindowState& ui, const lab::StageStrip& strip, const Area& area, const Theme& theme) {
+void stripPanel(WindowState& ui, const lab::StageStrip& strip, const Area& area, const StripShape& shape,
+                const Theme& theme) {
     ImGui::SetNextWindowPos(imVec(area.corner));
     ImGui::SetNextWindowSize(imVec(area.size));
     ImGui::Begin("stages", nullptr,
@@ -57,14 +63,14 @@ void stripPanel(WindowState& ui, const lab::StageStrip& strip, const Area& area,
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_HorizontalScrollbar |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     const picture::StageRef now = ui.bench.activeState().stage.ofAnyLight();
-    const ImVec2 frame = imVec(thumbnailSize(theme));
+    const ImVec2 frame = imVec(shape.thumbnail);
     const float small = theme.em * 0.85f;
     int number = 0;
     for (const lab::Thumbnail& thumbnail : strip.thumbnails()) {
         if (number > 0) ImGui::SameLine();
         ImGui::PushID(number++);
         const ImVec2 corner = ImGui::GetCursorScreenPos();
-        const ImVec2 size(frame.x, frame.y + kCaptionLines * theme.em * 0.95f);
+        const ImVec2 size(frame.x, frame.y + static_cast<float>(shape.captionLines) * kCaptionLineEm * theme.em);
         if (ImGui::InvisibleButton("stage", size)) chooseStage(ui, thumbnail.stage);
         const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemFocused(), chosen = thumbnail.stage == now;
         ImDrawList& list = *ImGui::GetWindowDrawList();
