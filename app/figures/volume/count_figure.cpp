@@ -57,7 +57,7 @@ void drawEyeLine(drawing::Drawing& drawing, drawing::Labels& labels, const Secti
     const dvec2 point = sheet(dvec2(0.0)), from = lineStart(sheet), to = lineEnd(sheet);
     const drawing::Stroke counted{"#1a1a1a", 5, false}, other{"#8c8c8c", 2.5, true};
     if (isPass)
-        drawing.arrow(point, from, counted, 0.6);
+        drawing.arrow(from, point, counted, 0.4);
     else
         drawing.line(from, point, other);
     if (!isPass) drawing.arrow(point, to, counted);
