@@ -119,7 +119,7 @@ TEST(LectureFiguresTest, CanBeReadAtEverySizeWhateverTheSceneIs) {
                         ++drawn[std::string(figure.name)];
                         EXPECT_EQ(drawing.find("nan"), std::string::npos) << what;
                         EXPECT_EQ(drawing.find("inf\""), std::string::npos) << what;
-                        const std::vector<Written> all = written(drawing);
+                        const std::vector<Written> all = linesOf(written(drawing));
                         for (std::size_t i = 0; i < all.size(); ++i) {
                             EXPECT_GE(all[i].em, 1080.0 / 45) << what << ": " << all[i].text;
                             EXPECT_GE(all[i].box.corner.x, 0) << what << ": " << all[i].text;
@@ -154,7 +154,7 @@ TEST(PolygonFigureTest, WritesTheSignsAndProductsOfTheScene) {
                 const CasterSolid solid = casterSolid(asked.source(kRooms[0]), false);
                 if (!solid.caster->isPicked) continue;
                 const std::vector<Written> all =
-                    written(findFigure("polygon").draw(asked.source(kRooms[0])).document());
+                    linesOf(written(findFigure("polygon").draw(asked.source(kRooms[0])).document()));
                 const std::vector<double> products = numbersAfter(all, "N \u00b7 L = ");
                 if (products.empty()) continue; // a power of ten
                 // The picked triangle, as the facts name it.
@@ -196,9 +196,8 @@ TEST(EdgeFigureTest, TellsOutlinesFromOtherEdges) {
                 } catch (const Error&) {
                     continue; // a sheet has no edge between two polygons
                 }
-                const std::vector<Written> all = written(drawing);
-                const std::vector<double> first = numbersAfter(all, "N\u2081 \u00b7 L = "),
-                                          second = numbersAfter(all, "N\u2082 \u00b7 L = ");
+                const std::vector<Written> all = linesOf(written(drawing));
+                const std::vector<double> first = numbersAfter(all, "N1 \u00b7 L = "), second = numbersAfter(all, "N2 \u00b7 L = ");
                 if (first.size() != second.size() || first.empty()) continue;
                 EXPECT_GT(first[0], 0) << named.name;
                 EXPECT_LE(second[0], 0) << named.name;
@@ -228,7 +227,7 @@ TEST(ExtrusionFigureTest, WritesThePointThatTheTechniqueExtrudes) {
                     EXPECT_NEAR(glm::dot(glm::normalize(end - p), glm::normalize(solid.toLight(p))), -1, 1e-12);
                 }
                 const std::vector<double> written_ = numbersAfter(
-                    written(findFigure("extrusion").draw(asked.source(kRooms[1])).document()), "|P' \u2212 P| = ");
+                    linesOf(written(findFigure("extrusion").draw(asked.source(kRooms[1])).document())), "|P\u2032 \u2212 P| = ");
                 ASSERT_EQ(written_.size(), 1u) << named.name;
                 EXPECT_NEAR(written_[0], std::stod(d), 1e-4);
                 ++extruded;

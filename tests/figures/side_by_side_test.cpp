@@ -39,10 +39,8 @@ std::optional<dvec2> circle(const Diagram& figure, const std::string& name) {
 }
 
 bool writes(const Diagram& figure, const std::string& words) {
-    return std::ranges::any_of(figure.drawing.marks(), [&](const drawing::Mark& mark) {
-        const auto* one = std::get_if<drawing::TextLine>(&mark);
-        return one && one->text.find(words) != std::string::npos;
-    });
+    return std::ranges::any_of(linesOf(written(figure.document())),
+                               [&](const Written& line) { return line.text.find(words) != std::string::npos; });
 }
 
 /// The heads of arrows: their tips.
@@ -135,7 +133,7 @@ TEST(ProjectionFigureTest, LightObjectAndProjectionLieOnOneLine) {
     EXPECT_GT(caster->y, light->y);
     // Drawn without the eye, the light's way fills the height of the room.
     EXPECT_GT(projected->y - light->y, 0.75 * 860);
-    EXPECT_TRUE(writes(figure, "N \u00b7 P' + D = 0"));
+    EXPECT_TRUE(writes(figure, "N \u00b7 P\u2032 + D = 0"));
 }
 
 } // namespace

@@ -31,6 +31,10 @@ std::array<dvec3, 3> seenAs(const vec3& colorLinear) {
 /// Things that mean the same share a colour: what the eye sees, what blocks a light, what lets it through, one map's parts.
 std::string meaningOf(const std::string& label) {
     const auto has = [&](std::string_view words) { return label.find(words) != std::string::npos; };
+    // The name of a ray or a vector has the colour of its line: R1, T, N.
+    if (label.size() <= 2 && label[0] == 'R') return "reflection rays";
+    if (label.size() <= 2 && label[0] == 'T') return "refraction rays";
+    if (label.size() == 1 && label != "r") return "eye";
     if (has("eye") || label == "the pixel's ray") return label.starts_with("-1") || label.starts_with("+1") ? label : "eye";
     if (has(": lit") || label == "r") return "lit";
     if (has("blocked") || has("in shadow") || has("blocks") || has("shadow") || label == "to what the texel holds")

@@ -7,6 +7,7 @@
 #include "app/context/assets.h"
 #include "app/course/lessons/lesson.h"
 #include "app/course/state_picture.h"
+#include "app/window/panels/story_page.h"
 #include "app/window/screen.h"
 #include "tests/foundation/scene/scene_files.h"
 #include "tests/support/gl_fixture.h"
@@ -84,6 +85,23 @@ TEST_F(SlideStateTest, KeysGoOnAndBackAndOut) {
     lab.press(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(lab.ui.slides.isOn());
     EXPECT_EQ(lab.ui.bench.document(), before);
+}
+
+// Words of a slide in the band have their formulas set as on the slide; those without have no need of it.
+TEST_F(SlideStateTest, TheBandHasFormulasWhereTheSlideHas) {
+    Lab lab;
+    lab.screen.fit({960, 600}, 1);
+    int formulas = 0, plain = 0;
+    for (const char* slide : {"lambert", "facing", "shadow-volume", "solving"}) {
+        window::openDeck(lab.ui, "shadow-rendering-techniques", slide);
+        for (const window::StoryLine& line : window::slidePage(lab.ui).lines) {
+            EXPECT_EQ(line.text.find('$'), std::string::npos) << "plain words have none";
+            EXPECT_EQ(line.written.empty(), line.written.find('$') == std::string::npos) << line.text;
+            ++(line.written.empty() ? plain : formulas);
+        }
+    }
+    EXPECT_GE(formulas, 4 + 6 + 2) << "of the text, displayed, and of label and caption";
+    EXPECT_GE(plain, 2);
 }
 
 // A presenter's remote goes from slide to slide; a drawing stands beside the picture that its pixel is marked in.

@@ -101,7 +101,7 @@ void drawPlaneOfVectors(drawing::Drawing& drawing, const drawing::Box& area, con
     drawing.circle(at, 7, "#1a1a1a", {"#ffffff", 1.5, false});
     labels.avoid({at - 8.0, dvec2(16)});
     for (const Tip& tip : tips)
-        labels.place(drawing, tip.at, tip.letter, {.size = drawing::kLetter, .isBold = true}, 8);
+        labels.place(drawing, tip.at, tip.letter, {.size = area.size.x >= kWide ? drawing::kLetter : kHeading, .isBold = true}, 8);
     labels.place(drawing, at + dvec2(0, 6), "S1", {.size = kText, .isBold = true}, 12);
 }
 

@@ -16,6 +16,7 @@ namespace shadowlab::figures {
 namespace {
 
 constexpr double kEdgeGap = 24, kEdgeRow = 36, kEdgeText = 28;
+constexpr double kWideEdge = 520; ///< pixels of a drawing from which on there is room for such type
 constexpr double kEdgeLines = 4 * kEdgeRow + 14; ///< pixels of the text under each drawing
 constexpr double kBent = 0.995; ///< cosine between two polygons: at less than six degrees the edge cannot be seen
 
@@ -78,7 +79,7 @@ void drawEdge(drawing::Drawing& drawing, const drawing::Box& cell, const CasterS
         foot.y += kEdgeRow;
         drawing::drawProse(drawing, foot,
                            productText(products[i], static_cast<int>(i) + 1, solid.unit()) + (products[i] > 0 ? ": toward" : ": away"),
-                           {.size = kEdgeText, .anchor = drawing::Anchor::middle}, fonts);
+                           {.size = cell.size.x >= kWideEdge ? kEdgeText : kText, .anchor = drawing::Anchor::middle}, fonts);
     }
     const std::string sides = outline                              ? "One toward, one away:"
                               : solid.facesLight(edge.polygons[0]) ? "Both toward the light:"

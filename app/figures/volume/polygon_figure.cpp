@@ -16,6 +16,7 @@ namespace shadowlab::figures {
 namespace {
 
 constexpr double kPolygonGap = 24, kPolygonLines = 84; ///< pixels; kPolygonLines: of the text under each drawing
+constexpr double kWidePolygon = 520;                    ///< from which on there is room for larger type
 
 /// Of the polygons on the other side the one that is turned away as much as this one is turned toward the light; of equal
 /// ones the nearest.
@@ -62,11 +63,12 @@ Diagram drawPolygonFigure(const FigureSource& source) {
         panel.draw(drawing, source.font);
         const double product = panel.products().front();
         const dvec2 foot = cell.corner + dvec2(0.5 * width, cell.size.y - kPolygonLines + 38);
-        drawing::drawProse(drawing, foot, productText(product, 0, solid.unit()), {.size = kHeading, .anchor = drawing::Anchor::middle},
+        const double em = width >= kWidePolygon ? kHeading : kText;
+        drawing::drawProse(drawing, foot, productText(product, 0, solid.unit()), {.size = em, .anchor = drawing::Anchor::middle},
                            source.fonts());
         drawing.text(foot + dvec2(0, 36),
                      product > 0 ? "toward the light: front facing" : "away from the light: back facing",
-                     {.size = kHeading, .anchor = drawing::Anchor::middle, .isBold = true});
+                     {.size = em, .anchor = drawing::Anchor::middle, .isBold = true});
     }
     return {std::move(drawing),
             "A polygon of " + solid.object->name +
