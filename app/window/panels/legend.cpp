@@ -96,15 +96,26 @@ KeyLines brokenLines(const std::vector<KeyItem>& items, float em, float room, co
     return lines;
 }
 
+/// Without what is said in brackets: "false lit (should be in shadow): 51 px" is "false lit: 51 px".
+std::string withoutBrackets(std::string words) {
+    const std::size_t begin = words.find(" ("), end = words.find(')', begin == std::string::npos ? 0 : begin);
+    return begin == std::string::npos || end == std::string::npos ? words : words.erase(begin, end + 1 - begin);
+}
+
 /// A key in as many lines as there may be, and the type it is set in.
 struct KeyLayout {
     float em = 0;
     KeyLines lines;
 };
 
-KeyLayout layKey(const std::vector<KeyItem>& items, int width, int most, const Theme& theme) {
+/// Two lines are enough for most keys in few words; in more of them the words in brackets go. Then the type becomes smaller.
+KeyLayout layKey(std::vector<KeyItem>& items, int width, int most, const Theme& theme) {
+    constexpr std::size_t kManyLines = 2;
     const float room = static_cast<float>(width) - theme.em * 0.5f;
     KeyLayout key;
+    if (brokenLines(items, theme.em, room, theme).size() > kManyLines)
+        for (KeyItem& item : items)
+            item.words = withoutBrackets(item.words);
     for (float share = 1; share >= kSmallest; share -= kSmaller) {
         key.em = std::round(theme.em * share);
         key.lines = brokenLines(items, key.em, room, theme);
@@ -115,7 +126,7 @@ KeyLayout layKey(const std::vector<KeyItem>& items, int width, int most, const T
 
 /// Swatches with their words, one after the other.
 void drawKey(ImDrawList& list, const std::vector<KeyEntry>& entries, const Area& band, const Theme& theme) {
-    const std::vector<KeyItem> items = itemsOf(entries);
+    std::vector<KeyItem> items = itemsOf(entries);
     const int most = std::max(1, static_cast<int>(static_cast<float>(band.size.y) / (kLineEm * theme.em)));
     const auto [em, lines] = layKey(items, band.size.x, most, theme);
     const auto height = static_cast<float>(band.size.y), left = static_cast<float>(band.corner.x);
@@ -142,7 +153,8 @@ bool hasBar(const lab::PanePicture& picture) { return picture.kind == StageKind:
 int legendLines(const lab::PanePicture& picture, int width, int most, const Theme& theme) {
     if (hasBar(picture)) return 1;
     if (picture.display.key.empty()) return 0;
-    return std::min(most, static_cast<int>(layKey(itemsOf(picture.display.key), width, most, theme).lines.size()));
+    std::vector<KeyItem> items = itemsOf(picture.display.key);
+    return std::min(most, static_cast<int>(layKey(items, width, most, theme).lines.size()));
 }
 
 void drawLegend(ImDrawList& list, const lab::PanePicture& picture, const Area& band, const Theme& theme) {

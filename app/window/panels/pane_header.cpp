@@ -15,19 +15,6 @@ namespace shadowlab::window {
 namespace {
 
 constexpr float kTechniqueShare = 0.54f; ///< of the line at least, where not all fits; the view has the rest
-constexpr const char* kEllipsis = "\u2026";
-
-/// What of the text fits into the width, with an ellipsis in place of the rest.
-std::string cutTo(const std::string& text, float width) {
-    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-    std::string cut = text;
-    while (!cut.empty() && ImGui::CalcTextSize((cut + kEllipsis).c_str()).x > width) {
-        while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0) == 0x80) cut.pop_back(); // the rest of a letter in UTF-8
-        if (!cut.empty()) cut.pop_back();
-    }
-    while (!cut.empty() && cut.back() == ' ') cut.pop_back();
-    return cut + kEllipsis;
-}
 
 /// The settings that say which of two panes with the same technique this one is: those that are not the same in both.
 std::string differences(const WindowState& ui, int pane) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "app/window/panels/widgets.h"
 #include "app/window/widget_renderer.h"
 
 namespace shadowlab::window {
@@ -78,9 +79,10 @@ void stripPanel(WindowState& ui, const lab::StageStrip& strip, const Area& area,
         drawWord(list, thumbnail, strip.progress(), corner, frame, theme);
         list.AddRect(corner, {corner.x + frame.x, corner.y + frame.y},
                      chosen || hovered ? kAccent : ImGui::GetColorU32(ImGuiCol_Border), 0, 0, chosen ? 3.0f : 1.0f);
+        const std::string caption = shape.captionLines == 1 ? cutTo(thumbnail.caption, frame.x, small) : thumbnail.caption;
         list.PushClipRect({corner.x, corner.y + frame.y}, {corner.x + size.x, corner.y + size.y}, true);
         list.AddText(theme.text, small, {corner.x, corner.y + frame.y + theme.em * 0.15f},
-                     chosen ? kAccent : ImGui::GetColorU32(ImGuiCol_Text), thumbnail.caption.c_str(), nullptr, frame.x);
+                     chosen ? kAccent : ImGui::GetColorU32(ImGuiCol_Text), caption.c_str(), nullptr, frame.x);
         list.PopClipRect();
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", thumbnail.caption.c_str());
         ImGui::PopID();

@@ -21,6 +21,25 @@ float wrappedHeight(ImFont* font, float size, const std::string& text, float wid
     return font->CalcTextSizeA(size, FLT_MAX, width, text.c_str()).y;
 }
 
+std::string cutTo(const std::string& text, float width, float size) {
+    constexpr const char* kEllipsis = "\u2026";
+    const auto fits = [&](const std::string& words) {
+        return ImGui::GetFont()->CalcTextSizeA(size, FLT_MAX, 0, words.c_str()).x <= width;
+    };
+    if (fits(text)) return text;
+    std::string cut = text;
+    while (!cut.empty() && !fits(cut + kEllipsis)) {
+        while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0) == 0x80) // a letter in UTF-8 goes as a whole
+            cut.pop_back();
+        if (!cut.empty()) cut.pop_back();
+    }
+    while (!cut.empty() && cut.back() == ' ')
+        cut.pop_back();
+    return cut + kEllipsis;
+}
+
+std::string cutTo(const std::string& text, float width) { return cutTo(text, width, ImGui::GetFontSize()); }
+
 void hint(const char* text) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
 }

@@ -14,6 +14,10 @@ bool beginIn(const char* name, const Area& area, ImGuiWindowFlags flags = 0);
 /// How high a text of that size is when it is wrapped at that width, all in pixels.
 float wrappedHeight(ImFont* font, float size, const std::string& text, float width);
 
+/// What of the text fits into the width in pixels, with an ellipsis in place of the rest; in type of that size, or of the present one.
+std::string cutTo(const std::string& text, float width, float size);
+std::string cutTo(const std::string& text, float width);
+
 /// A tooltip for the last item.
 void hint(const char* text);
 
