@@ -24,7 +24,14 @@ int footerHeight(const Theme& theme, int lines) {
     return lines == 0 ? 0 : static_cast<int>(std::round((static_cast<float>(lines) * kLegendLineEm + kLegendRimEm) * theme.em));
 }
 
+int compactHeader(const Theme& theme) { return static_cast<int>(std::round(kCompactEm * theme.em)); }
+
 } // namespace
+
+int compactBands(const Theme& theme, int pictureHeight, const LegendLines& legends) {
+    // The legend's share is one of the pane, which is at least as high as its picture: so these lines fit there.
+    return compactHeader(theme) + footerHeight(theme, std::min(legends[0], mostLegendLines(theme, pictureHeight)));
+}
 
 int mostLegendLines(const Theme& theme, int paneHeight) {
     return std::max(1, static_cast<int>((kLegendShare * static_cast<float>(paneHeight)) / (kLegendLineEm * theme.em)));
@@ -34,17 +41,17 @@ int legendWidth(Layout layout, int wholeWidth) {
     return layout == Layout::single || layout == Layout::diff ? wholeWidth : wholeWidth / 2;
 }
 
-PaneFrames paneFrames(const WindowState& ui, const Theme& theme, const Area& whole, const LegendLines& legends) {
+PaneFrames paneFrames(const WindowState& ui, const Theme& theme, const Area& whole, const LegendLines& legends, bool isCompact) {
     PaneFrames frames{.whole = whole};
     frames.rows = ui.bench.document().layout == Layout::grid ? 2 : 1;
     const int paneHeight = whole.size.y / frames.rows;
     // By half of the width in every layout, so that single pictures are as large as split ones.
     frames.headerLines = static_cast<float>(whole.size.x) / 2 < kOneLineEm * theme.em ? 2 : 1;
     int header = static_cast<int>(std::round((kHeaderEm + static_cast<float>(frames.headerLines - 1) * kSecondLineEm) * theme.em));
-    frames.isCompact = static_cast<float>(paneHeight - header - footerHeight(theme, 1)) < kLowEm * theme.em;
+    frames.isCompact = isCompact || static_cast<float>(paneHeight - header - footerHeight(theme, 1)) < kLowEm * theme.em;
     if (frames.isCompact) {
         frames.headerLines = 1;
-        header = static_cast<int>(std::round(kCompactEm * theme.em));
+        header = compactHeader(theme);
     }
     std::array<int, 2> footers{0, 0};
     for (int row = 0; row < frames.rows; ++row) {

@@ -40,7 +40,10 @@ struct PaneFrames {
         return {whole.corner + ivec2(0, header), {whole.size.x, std::max(0, whole.size.y - header - lastFooter())}};
     }
 };
-PaneFrames paneFrames(const WindowState& ui, const Theme& theme, const Area& whole, const LegendLines& legends);
+/// `isCompact`: with low headers also where there is room for higher ones.
+PaneFrames paneFrames(const WindowState& ui, const Theme& theme, const Area& whole, const LegendLines& legends, bool isCompact);
+/// The height of the bands around one picture of that height with a compact header.
+int compactBands(const Theme& theme, int pictureHeight, const LegendLines& legends);
 
 /// Lines that a legend may have at most below a pane of that height, so that its picture keeps the larger part.
 int mostLegendLines(const Theme& theme, int paneHeight);

@@ -70,18 +70,22 @@ Area Screen::room() const {
 
 StripShape Screen::stripShape() const {
     if (!ui_.shown.strip) return window::stripShape(theme_, FLT_MAX); // of the pictures in the list of views
-    const StoryLayout without = layStory(ui_, room(), theme_);
+    const StoryLayout without = layStory(ui_, room(), legends_.lines(), theme_);
     return window::stripShape(theme_, static_cast<float>(without.pictures.size.y) - kLeastOfPictures * static_cast<float>(size_.y));
 }
 
 StoryLayout Screen::layout(const StripShape& strip) const {
     Area room = this->room();
     if (ui_.shown.strip) room.size.y = std::max(0, room.size.y - strip.height);
-    return layStory(ui_, room, theme_);
+    return layStory(ui_, room, legends_.lines(), theme_);
+}
+
+PaneFrames Screen::framesOf(const StoryLayout& story) const {
+    return paneFrames(ui_, theme_, story.pictures, legends_.lines(), story.hasCompactHeader);
 }
 
 ivec2 Screen::pictureSize() const {
-    return ui_.bench.shownSize(paneFrames(ui_, theme_, layout(stripShape()).pictures, legends_.lines()).pictureSize());
+    return ui_.bench.shownSize(framesOf(layout(stripShape())).pictureSize());
 }
 
 int Screen::sourceWidth() const {
@@ -105,7 +109,7 @@ bool Screen::frame(double seconds) {
 
     const StripShape stripShape = this->stripShape();
     const StoryLayout story = layout(stripShape);
-    const PaneFrames frames = paneFrames(ui_, theme_, story.pictures, legends_.lines());
+    const PaneFrames frames = framesOf(story);
     const ivec2 pictures = frames.pictureSize();
     panes_ = window::shownPanes(ui_, frames, clock_);
     const bool painting = ui_.lesson.paints(); // then the mouse is a brush

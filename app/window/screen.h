@@ -76,6 +76,7 @@ private:
     [[nodiscard]] StoryLayout layout(const StripShape& strip) const;
     /// What the strip and all of that share.
     [[nodiscard]] Area room() const;
+    [[nodiscard]] PaneFrames framesOf(const StoryLayout& story) const;
     [[nodiscard]] StripShape stripShape() const;
     [[nodiscard]] int sourceWidth() const;
     /// Small pictures wait until nothing moves: they must not slow down what does.

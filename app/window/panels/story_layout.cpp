@@ -139,15 +139,17 @@ BandShape bandShape(const WindowState& ui, const std::vector<StoryPage>& pages, 
 
 float codeGap(const Theme& theme) { return std::round(0.15f * theme.em); }
 
-StoryLayout layStory(const WindowState& ui, const Area& room, const Theme& theme) {
-    StoryLayout layout{room, room, {room.corner, ivec2(0)}, {room.corner, ivec2(0)}};
+StoryLayout layStory(const WindowState& ui, const Area& room, const LegendLines& legends, const Theme& theme) {
+    StoryLayout layout{room, room, {room.corner, ivec2(0)}, {room.corner, ivec2(0)}, false};
     if (room.size.x < 1 || room.size.y < 1) return layout;
     const SlideFigureKind kind = slideFigureKind(ui);
     const ivec2 end = room.corner + room.size;
     if (kind == SlideFigureKind::ofPixel) {
         // The picture has the shape that slides are made for: so a pixel of the slide is the same place in it.
         const int left = static_cast<int>(kPictureShare * static_cast<float>(room.size.x));
-        const int height = std::min(static_cast<int>(std::lround(left / course::kLessonAspect)), room.size.y);
+        const auto pictureHeight = static_cast<int>(std::lround(left / course::kLessonAspect));
+        const int height = std::min(pictureHeight + compactBands(theme, pictureHeight, legends), room.size.y);
+        layout.hasCompactHeader = true;
         layout.pictures = {room.corner, {left, height}};
         layout.band = {room.corner + ivec2(0, height), {left, room.size.y - height}};
         layout.figure = {room.corner + ivec2(left, 0), {room.size.x - left, room.size.y}};

@@ -15,10 +15,11 @@ namespace shadowlab::window {
 struct StoryLayout {
     Area room; ///< all of it
     Area pictures, band, figure;
+    bool hasCompactHeader = false; ///< the picture beside a drawing is small
 };
 
-/// Divides the room between the top bar and the strip.
-StoryLayout layStory(const WindowState& ui, const Area& room, const Theme& theme);
+/// Divides the room between the top bar and the strip. `legends`: lines of the legends on show.
+StoryLayout layStory(const WindowState& ui, const Area& room, const LegendLines& legends, const Theme& theme);
 
 // What the band is made of, measured in pixels. Within an ImGui frame.
 

@@ -31,12 +31,13 @@ void drawWord(ImDrawList& list, const lab::Thumbnail& thumbnail, double progress
     const bool isEmpty = !thumbnail.picture.texture;
     if (!thumbnail.isToCome && !isEmpty) return;
     const std::string word = thumbnail.isToCome ? std::to_string(static_cast<int>(100 * progress)) + " %" : "drawn when chosen";
-    const float small = theme.em * 0.85f, pad = theme.em * 0.2f;
-    const ImVec2 extent = theme.text->CalcTextSizeA(small, FLT_MAX, 0, word.c_str());
+    const float small = theme.em * 0.85f, pad = theme.em * 0.2f, wrap = frame.x - 2 * pad;
+    const ImVec2 extent = theme.text->CalcTextSizeA(small, FLT_MAX, wrap, word.c_str());
     const ImVec2 low = isEmpty ? ImVec2(corner.x + (frame.x - extent.x) / 2, corner.y + (frame.y - extent.y) / 2)
                                : ImVec2(corner.x + frame.x - extent.x - pad, corner.y + frame.y - extent.y - pad);
     if (!isEmpty) list.AddRectFilled({low.x - pad, low.y}, {corner.x + frame.x, corner.y + frame.y}, kPlateColor);
-    list.AddText(theme.text, small, low, isEmpty ? ImGui::GetColorU32(ImGuiCol_TextDisabled) : kPlateText, word.c_str());
+    list.AddText(theme.text, small, low, isEmpty ? ImGui::GetColorU32(ImGuiCol_TextDisabled) : kPlateText, word.c_str(), nullptr,
+                 wrap);
 }
 
 } // namespace
