@@ -21,8 +21,10 @@ namespace shadowlab {
 namespace {
 
 // Floats of 16 bits keep 11 digits: a sum in them is off by 1/2048 at most for each term, and a level of 255 near white is 1/115 of the
-// light there, near black more than 1/77 of it. Two terms then move a value by a tenth of a level, across one border between levels.
+// light there, near black more than 1/77 of it. Two terms then move a value by a tenth of a level, across one border between levels: of
+// three channels one is so in three pixels of ten at most.
 constexpr int kMostLevels = 1;
+constexpr double kMostOneApart = 0.3;
 
 scene::LoadOptions loadOptions() { return {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}}; }
 
@@ -43,7 +45,7 @@ const std::vector<Variant>& variants() {
         {"shadow-volume", {"two-sided=false"}},
         {"shadow-map", {"filter=hard"}},
         {"shadow-map", {"filter=hard", "cull=false"}},
-        {"shadow-map", {"filter=pcf", "kernel=5"}},
+        {"shadow-map", {"filter=pcf", "pcf-radius=3"}},
         {"shadow-map", {"filter=pcss"}},
         {"shadow-map", {"filter=vsm"}},
         {"shadow-map", {"filter=hard", "light-samples=4"}},
@@ -118,27 +120,27 @@ TEST_F(FinishedPixels, AreThoseOfRadianceInEveryBuiltInScene) {
         Compared compared;
         for (const std::string& name : scene::builtInScenes(options.assetsRoot)) {
             const scene::Snapshot snapshot = scene::loadScene(name, options);
-            compare(snapshot, variant, viewOf(*snapshot, {320, 200}), compared);
+            compare(snapshot, variant, viewOf(*snapshot, {192, 120}), compared);
         }
         // Ten of the thirteen scenes have one light, one of these a leaf with holes.
         EXPECT_GE(compared.scenes, 9) << variant.technique;
-        EXPECT_GE(compared.pixels, 9u * 320 * 200);
-        if (variant.technique != "unshadowed") EXPECT_GE(compared.shadowed, 30'000u) << variant.technique;
-        EXPECT_LT(compared.oneApart, compared.pixels / 20) << "rounding is rare";
+        EXPECT_GE(compared.pixels, 9u * 192 * 120);
+        if (variant.technique != "unshadowed") EXPECT_GE(compared.shadowed, 10'000u) << variant.technique;
+        EXPECT_LT(static_cast<double>(compared.oneApart), kMostOneApart * static_cast<double>(compared.pixels)) << variant.technique;
     }
 }
 
 TEST_F(FinishedPixels, AreThoseOfRadianceInRandomScenes) {
     for (const Variant& variant : variants()) {
         Compared compared;
-        for (unsigned number = 0; number < 40; ++number) {
+        for (unsigned number = 0; number < 20; ++number) {
             scene::Scene scene = testing::randomScene(number);
             scene.lights.resize(1);
             for (scene::Object& object : scene.objects)
                 if (object.emitterOfLight > 0) object.emitterOfLight = -1;
             compare(testing::snapshot(scene), variant, viewOf(scene, {96, 64}), compared);
         }
-        EXPECT_GE(compared.scenes, 30) << variant.technique;
+        EXPECT_GE(compared.scenes, 15) << variant.technique;
     }
 }
 
