@@ -17,7 +17,7 @@ struct PlaceBox {
 class FreePlaces {
 public:
     /// Names and icons must stay readable; objects are what the picture is about, but a name may lie over one where nothing else is free.
-    static constexpr float kSign = 100, kObject = 4;
+    static constexpr float kSign = 1000, kObject = 4;
 
     explicit FreePlaces(const ShownPane& pane) : pane_(pane) {}
     void take(const PlaceBox& box, float weight) { taken_.push_back({box, weight}); }

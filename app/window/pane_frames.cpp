@@ -99,7 +99,8 @@ std::vector<PaneHeader> paneHeaders(const WindowState& ui, const PaneFrames& fra
     const Layout layout = ui.bench.document().layout;
     const int columns = layout == Layout::single ? 1 : 2, half = frames.whole.size.x / columns;
     const int below = frames.header + frames.pictureSize().y / 2 + frames.footers[0]; // where the grid's second row begins
-    for (int i = 0; i < lab::shownPanes(layout); ++i)
+    const int count = ui.shown.blink ? std::min(2, lab::shownPanes(layout)) : lab::shownPanes(layout); // the picture covers the others
+    for (int i = 0; i < count; ++i)
         headers.push_back({layout == Layout::single ? ui.bench.document().active : i,
                            {frames.whole.corner + ivec2(i % columns * half, i / columns * below),
                             {i % columns + 1 == columns ? frames.whole.size.x - i % columns * half : half, frames.header}}});

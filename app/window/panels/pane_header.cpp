@@ -244,15 +244,15 @@ void verdict(const WindowState& ui, const lab::LiveErrors& errors, const PaneHea
     ImGui::TextUnformatted(progress.c_str());
 }
 
-/// Of a verdict beside the menus: as wide as it can get, so that they do not move with its numbers. In a compact header of its
-/// shortest form.
-float verdictRoom(const WindowState& ui, bool isCompact) {
-    std::size_t longest = 0;
-    for (const auto& light : ui.bench.shownScene()->lights)
-        longest = std::max(longest, light.name.size());
-    const bool hasSeveral = ui.bench.shownScene()->lights.size() > 1;
-    const std::string light = hasSeveral ? std::string(longest, 'n') + ": " : "";
-    return ImGui::CalcTextSize((light + (isCompact ? "99999 wrong" : "9999 wrong pixels, edge 0.00 px, 999 ms")).c_str()).x;
+/// Of a verdict beside the menus: as wide as it can get, so that they do not move with its numbers. A compact header has no such
+/// room: there it is its shortest form.
+float verdictRoom(const WindowState& ui, const lab::LiveErrors& errors, int pane, bool isCompact) {
+    if (isCompact) return ImGui::CalcTextSize(verdictForms(ui, errors, pane).back().c_str()).x;
+    const auto& lights = ui.bench.shownScene()->lights;
+    float light = 0;
+    for (const auto& one : lights)
+        if (lights.size() > 1) light = std::max(light, ImGui::CalcTextSize((one.name + ": ").c_str()).x);
+    return light + ImGui::CalcTextSize("9999 wrong pixels, edge 0.00 px, 999 ms").x;
 }
 
 /// The pane that keys and panels are about, where there are several.
@@ -279,7 +279,7 @@ bool paneHeader(WindowState& ui, const lab::LiveErrors& errors, const lab::Stage
     if (lab::shownPanes(ui.bench.document().layout) > 1 && header.pane == ui.bench.document().active) markActive(header, theme);
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) ui.bench.activate(header.pane);
     float room = static_cast<float>(header.area.size.x) - 2 * inset;
-    if (frames.headerLines == 1) room -= verdictRoom(ui, frames.isCompact) + style.ItemSpacing.x;
+    if (frames.headerLines == 1) room -= verdictRoom(ui, errors, header.pane, frames.isCompact) + style.ItemSpacing.x;
     const Title title = titleOf(ui, header.pane);
     const MenuWidths widths = menuWidths(title, std::min(room, theme.em * 40), frames.isCompact);
     techniqueMenu(ui, header.pane, title, widths);
