@@ -47,6 +47,7 @@ PlaceBox FreePlaces::within(ImVec2 corner, ImVec2 size) const {
 
 FreePlaces placesBesideObjects(WindowState& ui, const ShownPane& pane) {
     FreePlaces places(pane);
+    if (!showsHandles(ui, pane)) return places; // seen from elsewhere they are in other places
     const SeenPane seen = seenIn(pane, ui.bench.document().camera);
     const float most = kFillsPane * static_cast<float>(pane.area.size.x) * static_cast<float>(pane.area.size.y);
     const ImVec2 low = imVec(pane.area.corner), high = imVec(pane.area.corner + pane.area.size);

@@ -8,6 +8,7 @@
 #include "app/window/imgui_bridge.h"
 #include "app/window/panels/legend.h"
 #include "app/window/panels/lesson_marks.h"
+#include "app/window/panels/panels.h"
 #include "app/window/panels/probe_card.h"
 #include "app/window/widget_renderer.h"
 
@@ -126,6 +127,11 @@ void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, 
     FreePlaces places = placesBesideObjects(ui, shown);
     if (!ui.lesson.isOn()) drawGizmos(list, ui, shown, places, theme);
     drawPicked(list, ui, shown, theme);
+    if (const auto glass = ui.shown.magnifier ? glassOver(shown, ivec2(0), theme) : std::nullopt) { // wherever it looks
+        const auto side = static_cast<float>(glass->cell * glass->across);
+        const ImVec2 low = glass->corner;
+        places.take({{low.x, low.y - 1.5f * theme.em}, {low.x + side, low.y + side}}, FreePlaces::kSign); // with its label
+    }
     drawProbeCard(list, ui, shown, places, theme);
     drawLessonMarks(list, ui, shown, theme);
     drawNote(list, shown, pane.failure(), kAccent, theme);
