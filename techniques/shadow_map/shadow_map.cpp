@@ -152,12 +152,13 @@ Progress ShadowMap::render(Frame& frame) {
     return {};
 }
 
-/// Many lookups are worth more than drawing depths first; an average over the light is made where there are depths.
+/// Only one lookup costs less than drawing depths first, so that no hidden surface looks anything up; an average over the light is made
+/// where there are depths.
 ShadingPasses::Depths ShadowMap::depthsFor(const scene::Scene& scene) const {
-    constexpr double kNeighbours = 1; // texels: as far as one interpolated lookup reaches
-    const bool isCheap = filterInfo(params_.filter.kind).radiusTexels(params_.filter) <= kNeighbours;
+    const FilterInfo& filter = filterInfo(params_.filter.kind);
+    const bool isOneLookup = filter.kernel == KernelForm::fourTexels || filter.radiusTexels(params_.filter) == 0;
     const bool averages = std::ranges::any_of(scene.lights, [&](const scene::Light& light) { return averaged_.averagesOver(light); });
-    return isCheap && !averages ? ShadingPasses::Depths::withLight : ShadingPasses::Depths::first;
+    return isOneLookup && !averages ? ShadingPasses::Depths::withLight : ShadingPasses::Depths::first;
 }
 
 bool ShadowMap::samplesArea(const scene::Scene& scene, int light) const {

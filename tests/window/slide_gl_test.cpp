@@ -142,7 +142,17 @@ TEST_F(SlideStateTest, WhatIsNotThereIsSaidAndNothingChanges) {
     EXPECT_EQ(lab.ui.bench.document(), before);
 }
 
-// The pane's picture and the slide's are made by different code (Workbench, StatePicture): they agree in every byte.
+/// The largest difference between two bytes.
+int largestDifference(const image::Image& a, const image::Image& b) {
+    if (a.rgba.size() != b.rgba.size()) return 256;
+    int largest = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i)
+        largest = std::max(largest, std::abs(a.rgba[i] - b.rgba[i]));
+    return largest;
+}
+
+// The pane's picture and the slide's are made by different code (Workbench, StatePicture). They agree, up to the one level by which
+// finished pixels, which the window draws, may differ from radiance that is encoded (techniques/shading_passes.h).
 // Stages with a legend are left to the eye; it stands in the slide's picture and beside the window's.
 TEST_F(SlideStateTest, TheWindowShowsWhatTheSlideHas) {
     constexpr ivec2 kSize{320, 180};
@@ -160,7 +170,7 @@ TEST_F(SlideStateTest, TheWindowShowsWhatTheSlideHas) {
             lab.ui.bench.showDocument(course::documentOf(state));
             lab.ui.bench.update(kSize, Deadline::max());
             const image::Image window = picture::PictureEncoder::read(lab.ui.bench.pane(0).picture().texture);
-            EXPECT_EQ(window.rgba, course::drawState(state, {.size = kSize}, font).rgba) << slide.name;
+            EXPECT_LE(largestDifference(window, course::drawState(state, {.size = kSize}, font)), 1) << slide.name;
             ++compared;
         }
     }

@@ -47,7 +47,7 @@ lab::Document coarseMap(lab::Document document) {
 }
 
 TEST_F(WindowVerdictsTest, VerdictsAreOfTheWholePictureInEveryLayout) {
-    Lab lab(scene("still-life"), {640, 400});
+    Lab lab(scene("still-life"), {1280, 720});
     lab.ui.shown.panel = false;
     lab.ui.bench.change("", [](lab::Document& d) { d = coarseMap(d); });
     chooseLayout(lab.ui, picture::Layout::split);

@@ -203,7 +203,8 @@ void LiveErrors::take(const Workbench& bench, const JudgeAnswer& answer, double 
                                             {&answer.slots[0]->judgement, &answer.slots[1]->judgement}, {title(0), title(1)},
                                             markWidth);
         };
-        const picture::Panel marked = panel(submitted.markWidth);
+        picture::Panel marked = panel(submitted.markWidth);
+        std::erase_if(marked.display.key, [](const KeyEntry& entry) { return entry.label.ends_with(": 0 px"); });
         difference_ = JudgedPicture{{},
                                     textureOf(marked.picture),
                                     textureOf(panel(picture::kOnePixel).picture),

@@ -41,7 +41,10 @@ bool LegendRoom::follow(const WindowState& ui, const lab::LiveErrors& errors, co
     }
     if (document.layout == picture::Layout::diff) numbers.resize(1); // one picture of both
     const int rows = document.layout == picture::Layout::grid ? 2 : 1;
-    const int width = legendWidth(document.layout, whole.size.x), most = mostLegendLines(theme, whole.size.y / rows);
+    const int width = legendWidth(document.layout, whole.size.x);
+    // One line stands below the pictures of every layout. The difference has no more, so that its picture is as large as the others,
+    // and the same pixels are counted.
+    const int most = document.layout == picture::Layout::diff ? 1 : mostLegendLines(theme, whole.size.y / rows);
     LegendLines lines{0, 0};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const lab::PanePicture* const legend = legendOf(ui, errors, numbers[i]);
