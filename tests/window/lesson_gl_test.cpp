@@ -66,6 +66,20 @@ TEST_F(LessonStateTest, TheCourseGoesThroughAllLessonsAndBackAndLeavesNothing) {
 }
 
 // What the class is to find out, no key may show; and no pixel is picked in a picture that nobody sees.
+TEST_F(LessonStateTest, TheCourseEndsWhereItBegins) {
+    Lab lab;
+    window::WindowState& ui = lab.ui;
+    window::openLesson(ui, ui.lesson.all.front().name);
+    const LessonStep first = ui.lesson.step;
+    window::stepLesson(ui, -1);
+    EXPECT_EQ(ui.lesson.now->text.name, ui.lesson.all.front().name) << "not the last lesson";
+    EXPECT_EQ(ui.lesson.step, first);
+    EXPECT_FALSE(ui.requests.news.empty());
+    window::openLesson(ui, ui.lesson.all.back().name, true);
+    window::stepLesson(ui, 1);
+    EXPECT_EQ(ui.lesson.now->text.name, ui.lesson.all.back().name) << "not the first";
+}
+
 TEST_F(LessonStateTest, WhileTheShadowIsPaintedNothingShowsIt) {
     Lab lab;
     lab.screen.fit({640, 400}, 1);

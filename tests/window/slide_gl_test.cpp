@@ -132,6 +132,30 @@ TEST_F(SlideStateTest, PageKeysTurnSlidesAndDrawingsAreShown) {
     EXPECT_EQ(lab.screen.figure().texture().size(), ivec2(0));
 }
 
+TEST_F(SlideStateTest, EscClosesOneThingAtATimeAndSLeadsBackToTheSlide) {
+    Lab lab;
+    lab.screen.fit({640, 400}, 1);
+    window::WindowState& ui = lab.ui;
+    window::openDeck(ui, "shadow-rendering-techniques", "extrusion");
+    ASSERT_FALSE(ui.slides.stops.empty());
+    const picture::StageRef told = ui.slides.stops.front().document.panes[0].stage;
+    lab.press(GLFW_KEY_O);
+    ui.shown.strip = ui.shown.magnifier = true;
+    ASSERT_TRUE(ui.bench.activeState().stage.isOutside() != told.isOutside());
+    lab.press(GLFW_KEY_ESCAPE);
+    EXPECT_FALSE(ui.shown.strip || ui.shown.magnifier) << "first what lies beside the pictures";
+    EXPECT_NE(ui.bench.activeState().stage, told);
+    lab.press(GLFW_KEY_ESCAPE);
+    EXPECT_EQ(ui.bench.activeState().stage, told) << "then what was chosen by hand";
+    ASSERT_TRUE(ui.slides.isOn());
+    lab.press(GLFW_KEY_ESCAPE);
+    EXPECT_FALSE(ui.slides.isOn());
+    lab.press(GLFW_KEY_S);
+    ASSERT_TRUE(ui.slides.isOn());
+    EXPECT_EQ(ui.slides.deck->name(), "shadow-rendering-techniques") << "not the first deck there is";
+    EXPECT_EQ(ui.slides.slide.name, "extrusion");
+}
+
 TEST_F(SlideStateTest, WhatIsNotThereIsSaidAndNothingChanges) {
     Lab lab;
     const lab::Document before = lab.ui.bench.document();

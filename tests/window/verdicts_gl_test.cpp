@@ -82,6 +82,25 @@ TEST_F(WindowVerdictsTest, VerdictsAreOfTheWholePictureInEveryLayout) {
     EXPECT_EQ(measured.wrong(), map);
 }
 
+TEST_F(WindowVerdictsTest, NoVerdictStandsUnderAnotherTechniqueLightOrPicture) {
+    Lab lab(scene("three-lights"), {640, 400});
+    lab.ui.bench.change("", [](lab::Document& d) { d = coarseMap(d); });
+    const auto isForgotten = [&](int pane, const auto& change) {
+        settle(lab.screen);
+        EXPECT_TRUE(lab.screen.errors().errors(pane));
+        change();
+        lab.screen.frame(0.01); // too short for a new one: only what rests for a while is judged
+        return lab.screen.errors().errors(pane) == nullptr;
+    };
+    EXPECT_TRUE(isForgotten(0, [&] { chooseTechnique(lab.ui, "unshadowed"); }));
+    EXPECT_TRUE(isForgotten(1, [&] { lab.ui.bench.change("", [](lab::Document& d) { d.light = 1; }); }));
+    EXPECT_TRUE(isForgotten(1, [&] { lab.ui.bench.showDocument(lab.ui.bench.document()); }));
+    // What only moved keeps it until a newer one comes: a number that vanishes all the time cannot be read.
+    EXPECT_FALSE(isForgotten(1, [&] {
+        lab.ui.bench.change("", [](lab::Document& d) { d.camera.positionWorld.x += 0.01; });
+    }));
+}
+
 TEST_F(WindowVerdictsTest, TheSplitLineMovesOverPicturesThatAreThere) {
     Lab lab(scene("still-life"), {640, 400});
     lab.ui.bench.change("", [](lab::Document& d) { d = coarseMap(d); });

@@ -77,14 +77,16 @@ void LiveErrors::forgetOthers(const Workbench& bench, const std::vector<PlacedPa
         pictures_.clear();
         difference_.reset();
         submitted_.clear();
+        exactFor_ = {}; // the same may be shown again
     }
     for (std::size_t i = 0; i < placed.size(); ++i) {
         const PaneRequest& request = shown.requests[i];
-        std::erase_if(errors_, [&](const auto& known) {
+        const auto forgotten = std::erase_if(errors_, [&](const auto& known) {
             const PaneRequest& judged = known.second.judged;
             return known.first == placed[i].pane &&
                    (judged.state.technique != request.state.technique || judged.light != request.light);
         });
+        if (forgotten > 0) exactFor_ = {};
     }
 }
 
