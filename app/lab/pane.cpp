@@ -50,7 +50,7 @@ bool operator==(const PaneRequest& a, const PaneRequest& b) {
            a.view.size == b.view.size && a.view.region.corner == b.view.region.corner &&
            a.view.region.size == b.view.region.size && a.light == b.light &&
            (!outside || (a.outsideCamera == b.outsideCamera && a.outsideSize == b.outsideSize &&
-                       a.outsideChoice == b.outsideChoice && a.draft == b.draft)) &&
+                       a.outsideChoice == b.outsideChoice && a.outsideType == b.outsideType && a.draft == b.draft)) &&
            (!isAboutPicked || (a.view.picked == b.view.picked && a.view.partner == b.view.partner));
 }
 
@@ -201,7 +201,9 @@ bool Pane::drawOutside(picture::Session& session, const picture::PictureEncoder&
     outside.region = {};
     const int light = request.snapshot->lights.empty() ? kNoLight : request.light;
     const std::optional<Stage> seen = outside_->render(session, slot, request.view, outside, light,
-                                                            {.choice = request.outsideChoice, .draft = request.draft}, work.deadline);
+                                                            {.choice = request.outsideChoice,
+                                                             .typeHeight = request.outsideType / request.draft,
+                                                             .draft = request.draft}, work.deadline);
     if (!seen) return false;
     picture_ = {encoder.encodeInPlace(*seen, StageKind::swatches, request.snapshot->exposure), StageKind::swatches,
                 seen->display, picture::captionOf(*slot.info, seen->key.id)};

@@ -34,6 +34,7 @@ struct PaneRequest {
     scene::Camera outsideCamera; ///< for the stage `outside`, which is a picture of its own size:
     ivec2 outsideSize{0};        ///< that of the pane, also where the other stages show a band of a larger picture
     picture::OutsideChoice outsideChoice{};
+    int outsideType = 0;         ///< height that its labels' type is a share of (picture::OutsideLook); 0: the picture's own
     int draft = 1;               ///< by how much its picture is coarser than the pane
     int light = 0;               ///< for stages of one light that do not name theirs
     friend bool operator==(const PaneRequest&, const PaneRequest&);

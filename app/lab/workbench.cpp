@@ -66,6 +66,7 @@ PaneRequest Workbench::requestFor(const PlacedPane& placed, int draft) const {
     request.outsideCamera = document_.outsideCamera;
     request.outsideSize = glm::max(ivec2(1), (ivec2(cell.width, cell.height) + draft - 1) / draft);
     request.outsideChoice = document_.outsideChoice;
+    request.outsideType = outsideType_;
     request.draft = draft;
     request.light = document_.light;
     const auto pixelOf = [&](const std::optional<dvec2>& place) {

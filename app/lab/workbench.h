@@ -63,6 +63,8 @@ public:
     [[nodiscard]] int draft() const { return draft_; }
     /// Draws coarse as long as something moves and full frames take too long (kTooSlowMs).
     void setMoving(bool moving) { moving_ = moving; }
+    /// Labels of the view from outside in the window's own type, whatever the size of a pane; 0: in that of the picture.
+    void setOutsideType(int height) { outsideType_ = height; }
     void allowDraft(bool allowed) { draftAllowed_ = allowed; }
     /// Draws every pane whole at once: for what looks at one place in several panes.
     void drawWhole(bool whole) { whole_ = whole; }
@@ -124,7 +126,7 @@ private:
     void show(Document document);
 
     Document document_;
-    int replacements_ = 0;
+    int replacements_ = 0, outsideType_ = 0;
     UndoHistory history_;
     Animation animation_;
     scene::Snapshot shown_;

@@ -120,6 +120,7 @@ bool Screen::frame(double seconds) {
     ui_.bench.setMoving(moved);
     if (ui_.selection.kind == lab::Selection::Kind::object)
         ui_.bench.setOutsideCaster(static_cast<std::size_t>(ui_.selection.index));
+    ui_.bench.setOutsideType(static_cast<int>(std::lround(theme_.em / picture::kOutsideTypeShare)));
     ui_.bench.allowDraft(ui_.shown.coarse);
     ui_.bench.drawWhole(ui_.shown.magnifier || ui_.shown.blink);
     ui_.bench.advance(seconds);

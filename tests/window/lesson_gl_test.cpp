@@ -189,7 +189,7 @@ TEST_F(LessonStateTest, WrongPixelsOfBothStatesAreKept) {
     EXPECT_GT(*lab.ui.lesson.wrong[0], 10 * *lab.ui.lesson.wrong[1]) << "stripes all over, and a few at edges";
     const std::vector<course::LessonChange> changes = course::changesOf(*lab.ui.lesson.now);
     ASSERT_EQ(changes.size(), 1u);
-    EXPECT_EQ(changes[0].name, "bias-mode");
+    EXPECT_EQ(changes[0].name, "Bias type");
     EXPECT_EQ(changes[0].before, "none");
     EXPECT_EQ(changes[0].after, "receiver-plane");
 }

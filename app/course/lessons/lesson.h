@@ -84,7 +84,7 @@ struct Lesson {
     std::optional<Question> question;
 };
 
-/// One thing that differs between the two states of a lesson, in words: "bias-mode", "none", "receiver-plane".
+/// One thing that differs between the two states of a lesson, in words: "Bias type", "none", "receiver-plane".
 struct LessonChange {
     std::string name, before, after;
 };

@@ -1,7 +1,6 @@
 // What a lesson's remedy changes, in words.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <set>
 
 #include "app/course/lessons/lesson.h"
 #include "app/course/lessons/lesson_quantities.h"
@@ -11,12 +10,9 @@ namespace shadowlab::course {
 namespace {
 
 /// The value of a setting in words, also where it is the technique's own.
-std::string valueOf(const lab::PaneState& state, const std::string& param) {
-    const auto found = state.values().find(param);
-    if (found != state.values().end()) return found->second;
-    const picture::Slot slot = picture::Session::makeSlot(state.technique);
-    const auto known = std::ranges::find(slot.params, param, &params::Param::id);
-    return known == slot.params.end() ? std::string() : params::initialText(*known);
+std::string valueOf(const lab::PaneState& state, const params::Param& param) {
+    const auto found = state.values().find(param.id);
+    return found != state.values().end() ? found->second : params::initialText(param);
 }
 
 void addChangesOfSlot(std::vector<LessonChange>& changes, const lab::PaneState& before, const lab::PaneState& after) {
@@ -25,13 +21,10 @@ void addChangesOfSlot(std::vector<LessonChange>& changes, const lab::PaneState& 
                            std::string(findTechnique(after.technique).title)});
         return;
     }
-    std::set<std::string> names;
-    for (const lab::PaneState* state : {&before, &after})
-        for (const auto& [param, value] : state->values())
-            names.insert(param);
-    for (const std::string& name : names) {
-        const std::string from = valueOf(before, name), to = valueOf(after, name);
-        if (from != to) changes.push_back({name, from, to});
+    const picture::Slot slot = picture::Session::makeSlot(before.technique);
+    for (const params::Param& param : slot.params) {
+        const std::string from = valueOf(before, param), to = valueOf(after, param);
+        if (from != to) changes.push_back({params::labelOf(param), from, to});
     }
 }
 

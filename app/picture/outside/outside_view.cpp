@@ -21,7 +21,7 @@ namespace {
 constexpr float kGroundShare = 0.7f; ///< of the picture's light: bright floors leave room for lines that are brighter
 
 // Type of the labels, as legends have it: as shares of the figure's height, the larger one if no label is lost by it.
-constexpr std::array kTypeShares = {1.0 / 38, 1.0 / 45};
+constexpr std::array kTypeShares = {kOutsideTypeShare, 1.0 / 45};
 constexpr double kSmallestType = 10; ///< pixels; below, letters dissolve
 constexpr double kTitleRoom = 1.9;   ///< em, at the top: there a figure has its title
 

@@ -10,10 +10,14 @@
 
 namespace shadowlab::picture {
 
+/// Type of the labels, as a share of OutsideLook::typeHeight.
+inline constexpr double kOutsideTypeShare = 1.0 / 38;
+
 /// How such a picture is drawn, apart from what it is of.
 struct OutsideLook {
     OutsideChoice choice{};
-    int typeHeight = 0; ///< that the labels' type is a share of: the height of the figure that the picture is a part of; 0: its own
+    int typeHeight = 0; ///< that the labels' type is a share of: the height of the figure that the picture is a part of; 0: its own.
+                        ///< A window has type of a size of its own
     int draft = 1;      ///< the picture is shown that many times as large
 };
 

@@ -81,6 +81,9 @@ void drawLessonMarks(ImDrawList& list, const WindowState& ui, const ShownPane& s
             }
         });
     if (on.step != LessonStep::artefact && on.step != LessonStep::remedy) return;
+    // From outside things lie elsewhere, and after a step they are not to be seen yet.
+    const picture::StageRef& stage = ui.bench.document().panes[static_cast<std::size_t>(shown.pane)].stage;
+    if (stage.isOutside() || stage.isPass) return;
     for (const course::LookBox& box : on.now->look)
         drawLook(list, box, shown, theme, on.step == LessonStep::artefact);
 }
