@@ -25,13 +25,22 @@ bool Frame::drawFinished() {
     if (!request_.finished || !request_.stages.empty() || request_.stopAfter || scene().lights.size() != 1 ||
         buffers_.anyHoles())
         return false;
-    for (gl::Texture2D* picture : {&request_.finished->color, &request_.finished->inShadow})
-        if (!*picture || picture->size() != target_.size())
-            *picture = gl::Texture2D(GL_RGBA8, target_.size(), "finished picture");
+    makeFinished(request_.finished->color);
     finished_ = gl::Framebuffer(&request_.finished->color, &target_.depthStencil, "finished picture");
+    return result_.isFinished = true;
+}
+
+void Frame::bindInShadowToo() {
+    makeFinished(request_.finished->inShadow);
     finishedAndInShadow_ = gl::Framebuffer(request_.finished->color, request_.finished->inShadow, target_.depthStencil,
                                            "finished picture, and in shadow");
-    return result_.isFinished = true;
+    finishedAndInShadow_.bind();
+}
+
+/// Keeps the texture of the last frame where it has the size.
+void Frame::makeFinished(gl::Texture2D& picture) const {
+    if (!picture || picture.size() != target_.size())
+        picture = gl::Texture2D(GL_RGBA8, target_.size(), "finished picture");
 }
 
 void Frame::useNearPlaneOfView() {

@@ -84,7 +84,7 @@ public:
     bool drawFinished();
     [[nodiscard]] bool drawsFinished() const { return result_.isFinished; }
     /// Within a pass of a frame that draws finished pixels: both pictures are drawn to, the one in shadow as well.
-    void bindInShadowToo() const { finishedAndInShadow_.bind(); }
+    void bindInShadowToo();
     /// The finished picture in which the light is hidden everywhere.
     [[nodiscard]] const gl::Texture2D& inShadow() const { return request_.finished->inShadow; }
     [[nodiscard]] Deadline deadline() const { return request_.deadline; }
@@ -127,6 +127,7 @@ public:
     Result takeResult();
 
 private:
+    void makeFinished(gl::Texture2D& picture) const;
     gl::Texture2D copyOfTarget(std::string_view name) const;
     gl::Texture2D greyedTarget(std::string_view name) const;
     void drawInto(gl::Texture2D& texture, std::string_view stage, bool clear, const std::function<void()>& draw) const;

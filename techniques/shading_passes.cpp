@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shading_passes.h"
 
-#include "techniques/foundation/image/image.h"
-
 namespace shadowlab {
 
 namespace {
 
 /// Clears the finished picture, or both, to the background as it is shown.
 void clearFinished(const scene::Scene& scene) {
-    const auto encoded = [&](float linear) {
-        return static_cast<float>(image::srgbFromLinear(scene.exposure * linear)) / 255;
-    };
-    glClearColor(encoded(scene.background.r), encoded(scene.background.g), encoded(scene.background.b), 1);
+    const vec3 background = gl::finished(scene.background, scene.exposure);
+    glClearColor(background.r, background.g, background.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
@@ -40,7 +36,7 @@ gl::ShadedAs ShadingPasses::beginLight(const Frame& frame) const {
     return gl::ShadedAs::finished;
 }
 
-void StencilledPasses::lightsOff(const Frame& frame, int light) {
+void StencilledPasses::lightsOff(Frame& frame, int light) {
     if (!frame.drawsFinished()) {
         gl::drawLightsOff(lightsOff_, frame.scene(), frame.buffers(), frame.eye());
         return;

@@ -33,7 +33,7 @@ private:
 class StencilledPasses {
 public:
     /// Of the pass "lights-off". Finished pixels: draws each surface lit by `light`, and as it is where that is hidden.
-    void lightsOff(const Frame& frame, int light);
+    void lightsOff(Frame& frame, int light);
     /// Of the pass "light", for finished pixels: takes the picture in shadow where the stencil, masked, is not zero.
     void takeInShadow(const Frame& frame, GLuint stencilMask) const;
     /// The program that adds a light to radiance.

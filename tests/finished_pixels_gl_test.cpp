@@ -1,11 +1,7 @@
 // The two roads to a picture (techniques/shading_passes.h) give the same one: radiance in floats, encoded at the end, and finished
 // pixels drawn at once.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cstdlib>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/context/assets.h"
@@ -14,6 +10,7 @@
 #include "app/picture/session.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/levels_apart.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/scenes.h"
 
@@ -55,73 +52,70 @@ const std::vector<Variant>& variants() {
     return all;
 }
 
-struct Compared {
+View viewOf(const scene::Scene& scene, ivec2 size) {
+    View view;
+    view.camera = scene.camera;
+    view.size = size;
+    return view;
+}
+
+/// Draws scenes with a variant on both roads, one scene after the other: what is kept of one must not show in the next.
+class Compared {
+public:
     int scenes = 0; ///< drawn by the short road
     std::size_t pixels = 0, oneApart = 0, farApart = 0, shadowed = 0;
-};
 
-class FinishedPixels : public testing::GlTest {
-protected:
-    static View viewOf(const scene::Scene& scene, ivec2 size) {
-        View view;
-        view.camera = scene.camera;
-        view.size = size;
-        return view;
-    }
-    static int distance(image::Color8 a, image::Color8 b) {
-        return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
-    }
-
-    void compare(const scene::Snapshot& snapshot, const Variant& variant, const View& view, Compared& compared) {
-        picture::Session session(snapshot);
-        std::vector<picture::Slot> slots;
-        slots.push_back(picture::Session::makeSlot(variant.technique));
+    explicit Compared(const Variant& variant) {
+        for (const std::string& technique : {variant.technique, std::string("unshadowed")})
+            slots_.push_back(picture::Session::makeSlot(technique));
         std::vector<std::string> full;
         for (const std::string& setting : variant.settings)
-            full.push_back(variant.technique + "." + setting);
-        lab::applySettings(slots, full);
+            full.push_back("1:" + variant.technique + "." + setting);
+        lab::applySettings(slots_, full);
+    }
 
-        session.render(slots[0], view);
-        const image::Image byRadiance = encoder_->encode(slots[0].target.color, snapshot->exposure);
+    void compare(const scene::Snapshot& snapshot, const View& view) {
+        picture::Session session(snapshot);
+        const image::Image byRadiance = drawRadiance(session, slots_[0], view), lit = drawRadiance(session, slots_[1], view);
         gl::FinishedPicture finished;
         FrameRequest request;
         request.finished = &finished;
-        const picture::RenderedFrame rendered = session.render(slots[0], view, request);
-        if (!rendered.result.isFinished) return;
-        ++compared.scenes;
+        if (!session.render(slots_[0], view, request).result.isFinished) return;
+        ++scenes;
         const image::Image atOnce = picture::PictureEncoder::read(finished.color);
-        picture::Slot unshadowed = picture::Session::makeSlot("unshadowed");
-        session.render(unshadowed, view);
-        const image::Image lit = encoder_->encode(unshadowed.target.color, snapshot->exposure);
-
         const auto [corner, size] = drawnRegion(view);
         for (int y = corner.y; y < corner.y + size.y; ++y)
             for (int x = corner.x; x < corner.x + size.x; ++x) {
-                const int apart = distance(byRadiance.at(x, y), atOnce.at(x, y));
-                ++compared.pixels;
-                compared.oneApart += apart == 1;
-                compared.farApart += apart > kMostLevels;
-                compared.shadowed += distance(lit.at(x, y), atOnce.at(x, y)) > kMostLevels;
+                const int apart = testing::levelsApart(byRadiance.at(x, y), atOnce.at(x, y));
+                ++pixels;
+                oneApart += apart == 1;
+                farApart += apart > kMostLevels;
+                shadowed += testing::levelsApart(lit.at(x, y), atOnce.at(x, y)) > kMostLevels;
             }
-        EXPECT_EQ(compared.farApart, 0u) << variant.technique << " in " << snapshot->name;
+        EXPECT_EQ(farApart, 0u) << slots_[0].info->id << " in " << snapshot->name;
     }
 
-    void TearDown() override {
-        encoder_.reset(); // before it is counted what is left
-        GlTest::TearDown();
+private:
+    image::Image drawRadiance(picture::Session& session, picture::Slot& slot, const View& view) {
+        session.render(slot, view);
+        return encoder_.encode(slot.target.color, session.snapshot()->exposure);
     }
 
-    std::optional<picture::PictureEncoder> encoder_{std::in_place};
+    std::vector<picture::Slot> slots_; ///< the variant, and no shadows
+    picture::PictureEncoder encoder_;
 };
+
+class FinishedPixels : public testing::GlTest {};
 
 TEST_F(FinishedPixels, AreThoseOfRadianceInEveryBuiltInScene) {
     const scene::LoadOptions options = loadOptions();
+    std::vector<scene::Snapshot> snapshots;
+    for (const std::string& name : scene::builtInScenes(options.assetsRoot))
+        snapshots.push_back(scene::loadScene(name, options));
     for (const Variant& variant : variants()) {
-        Compared compared;
-        for (const std::string& name : scene::builtInScenes(options.assetsRoot)) {
-            const scene::Snapshot snapshot = scene::loadScene(name, options);
-            compare(snapshot, variant, viewOf(*snapshot, {192, 120}), compared);
-        }
+        Compared compared(variant);
+        for (const scene::Snapshot& snapshot : snapshots)
+            compared.compare(snapshot, viewOf(*snapshot, {192, 120}));
         // Ten of the thirteen scenes have one light, one of these a leaf with holes.
         EXPECT_GE(compared.scenes, 9) << variant.technique;
         EXPECT_GE(compared.pixels, 9u * 192 * 120);
@@ -131,15 +125,18 @@ TEST_F(FinishedPixels, AreThoseOfRadianceInEveryBuiltInScene) {
 }
 
 TEST_F(FinishedPixels, AreThoseOfRadianceInRandomScenes) {
+    std::vector<scene::Snapshot> snapshots;
+    for (unsigned number = 0; number < 20; ++number) {
+        scene::Scene scene = testing::randomScene(number);
+        scene.lights.resize(1);
+        for (scene::Object& object : scene.objects)
+            if (object.emitterOfLight > 0) object.emitterOfLight = -1;
+        snapshots.push_back(testing::snapshot(scene));
+    }
     for (const Variant& variant : variants()) {
-        Compared compared;
-        for (unsigned number = 0; number < 20; ++number) {
-            scene::Scene scene = testing::randomScene(number);
-            scene.lights.resize(1);
-            for (scene::Object& object : scene.objects)
-                if (object.emitterOfLight > 0) object.emitterOfLight = -1;
-            compare(testing::snapshot(scene), variant, viewOf(scene, {96, 64}), compared);
-        }
+        Compared compared(variant);
+        for (const scene::Snapshot& snapshot : snapshots)
+            compared.compare(snapshot, viewOf(*snapshot, {96, 64}));
         EXPECT_GE(compared.scenes, 15) << variant.technique;
     }
 }
@@ -148,10 +145,11 @@ TEST_F(FinishedPixels, OfAPartAreThoseOfTheWhole) {
     const scene::Snapshot snapshot = scene::loadScene("still-life", loadOptions());
     View view = viewOf(*snapshot, {320, 200});
     view.region = {{101, 20}, {150, 163}};
-    Compared compared;
-    for (const Variant& variant : variants())
-        compare(snapshot, variant, view, compared);
-    EXPECT_EQ(compared.scenes, static_cast<int>(variants().size()));
+    for (const Variant& variant : variants()) {
+        Compared compared(variant);
+        compared.compare(snapshot, view);
+        EXPECT_EQ(compared.pixels, 150u * 163) << variant.technique;
+    }
 }
 
 TEST_F(FinishedPixels, AreNotDrawnWhereMoreIsWanted) {

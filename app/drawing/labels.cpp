@@ -115,15 +115,14 @@ std::optional<Box> Labels::roomFor(Drawing& drawing, dvec2 anchor, dvec2 size, d
 
 bool Labels::place(Drawing& drawing, dvec2 anchor, const std::string& text, const TextStyle& style, double away) {
     if (text.find('$') == std::string::npos) return place(drawing, anchor, LabelText{text, "", ""}, style, away);
-    constexpr double kOneLine = 1e9; // pixels: no label is as wide
-    const std::vector<ProseLine> lines = wrapProse(text, style.size, kOneLine, style.isBold, fonts_);
+    const ProseLine line = proseInOneLine(text, style.size, style.isBold, fonts_);
     const image::TextSize letters = fonts_.upright.measure("P", style.size);
-    const dvec2 size(proseWidth(lines.front(), style.size, style.isBold, fonts_), letters.height + kIndexDrop * style.size);
+    const dvec2 size(proseWidth(line, style.size, style.isBold, fonts_), letters.height + kIndexDrop * style.size);
     const std::optional<Box> box = roomFor(drawing, anchor, size, away);
     if (!box) return false;
     TextStyle placed = style;
     placed.anchor = Anchor::start;
-    drawProse(drawing, box->corner + dvec2(kAir, kAir + letters.baseline), lines.front(), placed, fonts_);
+    drawProse(drawing, box->corner + dvec2(kAir, kAir + letters.baseline), line, placed, fonts_);
     return true;
 }
 

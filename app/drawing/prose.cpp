@@ -121,6 +121,12 @@ std::vector<ProseLine> wrapProse(std::string_view text, double em, double width,
     return lines;
 }
 
+ProseLine proseInOneLine(std::string_view text, double em, bool isBold, const FormulaFonts& fonts) {
+    constexpr double kOneLine = 1e9; // pixels: no line is as wide
+    std::vector<ProseLine> lines = wrapProse(text, em, kOneLine, isBold, fonts);
+    return lines.empty() ? ProseLine() : std::move(lines.front());
+}
+
 void drawProse(Drawing& drawing, dvec2 place, const ProseLine& line, const TextStyle& style, const FormulaFonts& fonts) {
     const double share = style.anchor == Anchor::start ? 0 : style.anchor == Anchor::middle ? 0.5 : 1;
     if (share > 0) place.x -= share * proseWidth(line, style.size, style.isBold, fonts);
@@ -137,9 +143,7 @@ void drawProse(Drawing& drawing, dvec2 place, const ProseLine& line, const TextS
 }
 
 void drawProse(Drawing& drawing, dvec2 place, std::string_view text, const TextStyle& style, const FormulaFonts& fonts) {
-    constexpr double kOneLine = 1e9; // pixels: no line is as wide
-    for (const ProseLine& line : wrapProse(text, style.size, kOneLine, style.isBold, fonts))
-        drawProse(drawing, place, line, style, fonts);
+    drawProse(drawing, place, proseInOneLine(text, style.size, style.isBold, fonts), style, fonts);
 }
 
 std::string plainProse(std::string_view text) {

@@ -23,12 +23,15 @@ struct ProseLine {
 /// without its partner.
 std::vector<ProseLine> wrapProse(std::string_view text, double em, double width, bool isBold, const FormulaFonts& fonts);
 
+/// The text as one line, however long. Throws as wrapProse() does.
+ProseLine proseInOneLine(std::string_view text, double em, bool isBold, const FormulaFonts& fonts);
+
 /// Pixels from the line's left end to its right end.
 double proseWidth(const ProseLine& line, double em, bool isBold, const FormulaFonts& fonts);
 
 /// Draws a line with its anchor at `place`, the foot of its letters. Letters of formulas are as bold as the words.
 void drawProse(Drawing& drawing, dvec2 place, const ProseLine& line, const TextStyle& style, const FormulaFonts& fonts);
-/// The same of a text in one line, however long. Throws as wrapProse() does.
+/// The same of a text in one line.
 void drawProse(Drawing& drawing, dvec2 place, std::string_view text, const TextStyle& style, const FormulaFonts& fonts);
 
 /// The same in plain words, for who reads no formulas: "the texel holds d(u, v)". Throws as wrapProse() does.

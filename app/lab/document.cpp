@@ -26,12 +26,6 @@ scene::Camera outsideCameraOf(const scene::Scene& scene, const scene::Camera& ey
     return scene::outsideCameraFor(scene, eye, kAspect);
 }
 
-namespace {
-
-constexpr double kPlacesAspect = 16.0 / 9;
-
-} // namespace
-
 dvec2 placeOf(const dvec2& share, const dvec2& size) {
     return {0.5 + (share.x - 0.5) * (size.x / size.y) / kPlacesAspect, share.y};
 }

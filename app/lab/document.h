@@ -39,6 +39,7 @@ scene::Camera outsideCameraOf(const scene::Scene& scene, const scene::Camera& ey
 /// A place in what a camera sees: shares of the width and height of a picture of 16 : 9, which lie beyond 0 and 1 in a wider one. A
 /// camera's angle is that of a picture's height, so pictures of other shapes show more or less at their sides: shares of each would be
 /// other points of the scene.
+inline constexpr double kPlacesAspect = 16.0 / 9;
 dvec2 placeOf(const dvec2& share, const dvec2& size);
 /// Where a place is in a picture of that size: shares of its width and height.
 dvec2 shareOf(const dvec2& place, const dvec2& size);

@@ -14,7 +14,7 @@ using picture::Layout;
 constexpr double kBlinkSeconds = 0.6; ///< of each picture: slow enough to see it, quick enough that differences jump
 constexpr float kHeaderEm = 1.75f, kSecondLineEm = 1.25f; ///< heights of a header's line of widgets, and of its line of text
 constexpr float kCompactEm = 1.45f;                       ///< height of a header in a low pane
-constexpr float kLegendLineEm = 1.25f, kLegendRimEm = 0.25f;
+constexpr float kLegendRimEm = 0.25f;
 constexpr float kOneLineEm = 40; ///< width in which technique, view and verdict stand side by side
 constexpr float kLowEm = 9;      ///< a picture that would be lower than that has a compact header,
 constexpr float kLowestEm = 3;   ///< and one that would be lower than that has no bands

@@ -17,6 +17,9 @@ struct Area {
     }
 };
 
+/// Height of a line of a legend, in em.
+inline constexpr float kLegendLineEm = 1.25f;
+
 /// Lines of the legends below each row of panes: what the pictures on show need (panels/legend_room.h).
 using LegendLines = std::array<int, 2>;
 
@@ -62,6 +65,11 @@ struct ShownPane {
         const dvec2 share = lab::shareOf(place, {pictureSize.x, pictureSize.y});
         return {pictureCorner.x + static_cast<float>(share.x) * pictureSize.x,
                 pictureCorner.y + static_cast<float>(share.y) * pictureSize.y};
+    }
+    /// The place there.
+    [[nodiscard]] dvec2 placeAt(const dvec2& onScreen) const {
+        const dvec2 size(pictureSize.x, pictureSize.y);
+        return lab::placeOf((onScreen - dvec2(pictureCorner.x, pictureCorner.y)) / size, size);
     }
 };
 

@@ -25,9 +25,7 @@ void pickPixel(WindowState& ui, const std::vector<ShownPane>& panes, ImVec2 plac
         if (!shown.area.contains(place) || !ui.bench.pane(shown.pane).showsTheEyesView()) continue;
         ui.bench.activate(shown.pane);
         // The middle of the pixel: its edge may be rounded to either side.
-        const dvec2 size(shown.pictureSize.x, shown.pictureSize.y);
-        const dvec2 share = (dvec2(place.x, place.y) + 0.5 - dvec2(shown.pictureCorner.x, shown.pictureCorner.y)) / size;
-        const dvec2 picked = lab::placeOf(share, size);
+        const dvec2 picked = shown.placeAt(dvec2(place.x, place.y) + 0.5);
         if (asPartner)
             ui.bench.pickPartner(picked);
         else

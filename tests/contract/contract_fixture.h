@@ -10,6 +10,7 @@
 #include "app/picture/picture.h"
 #include "techniques/foundation/gl/read_back.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/levels_apart.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::testing {
@@ -57,17 +58,6 @@ inline scene::Scene twoLights() {
     scene.lights.push_back(directionalLight({0.5, -1, 0.25}));
     scene.lights.back().intensity = 0.6;
     return scene;
-}
-
-inline int differingPixels(const image::Image& a, const image::Image& b, int levels) {
-    int count = 0;
-    for (std::size_t p = 0; p < a.rgba.size(); p += 4) {
-        int largest = 0;
-        for (std::size_t c = 0; c < 4; ++c)
-            largest = std::max(largest, std::abs(a.rgba[p + c] - b.rgba[p + c]));
-        count += largest > levels;
-    }
-    return count;
 }
 
 /// "shadow-map" as GoogleTest allows it in a name.

@@ -11,6 +11,7 @@
 #include "app/window/screen.h"
 #include "tests/foundation/scene/scene_files.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/levels_apart.h"
 
 namespace shadowlab {
 namespace {
@@ -166,15 +167,6 @@ TEST_F(SlideStateTest, WhatIsNotThereIsSaidAndNothingChanges) {
     EXPECT_EQ(lab.ui.bench.document(), before);
 }
 
-/// The largest difference between two bytes.
-int largestDifference(const image::Image& a, const image::Image& b) {
-    if (a.rgba.size() != b.rgba.size()) return 256;
-    int largest = 0;
-    for (std::size_t i = 0; i < a.rgba.size(); ++i)
-        largest = std::max(largest, std::abs(a.rgba[i] - b.rgba[i]));
-    return largest;
-}
-
 // The pane's picture and the slide's are made by different code (Workbench, StatePicture). They agree, up to the one level by which
 // finished pixels, which the window draws, may differ from radiance that is encoded (techniques/shading_passes.h).
 // Stages with a legend are left to the eye; it stands in the slide's picture and beside the window's.
@@ -194,7 +186,9 @@ TEST_F(SlideStateTest, TheWindowShowsWhatTheSlideHas) {
             lab.ui.bench.showDocument(course::documentOf(state));
             lab.ui.bench.update(kSize, Deadline::max());
             const image::Image window = picture::PictureEncoder::read(lab.ui.bench.pane(0).picture().texture);
-            EXPECT_LE(largestDifference(window, course::drawState(state, {.size = kSize}, font)), 1) << slide.name;
+            const image::Image drawn = course::drawState(state, {.size = kSize}, font);
+            ASSERT_EQ(ivec2(window.width, window.height), ivec2(drawn.width, drawn.height));
+            EXPECT_EQ(testing::differingPixels(window, drawn, 1), 0) << slide.name;
             ++compared;
         }
     }

@@ -13,9 +13,9 @@ std::string Bound::text() const {
 }
 
 LookBox inPictureOf(double aspect, LookBox box) {
-    const double narrower = kLessonAspect / aspect;
-    box.corner.x = 0.5 + (box.corner.x - 0.5) * narrower;
-    box.size.x *= narrower;
+    const double right = lab::shareOf(box.corner + box.size, {aspect, 1}).x;
+    box.corner = lab::shareOf(box.corner, {aspect, 1});
+    box.size.x = right - box.corner.x;
     return box;
 }
 

@@ -15,7 +15,7 @@
 namespace shadowlab::course {
 
 /// The shape of picture that a lesson is made for, width over height: its boxes are shares of such a picture.
-constexpr double kLessonAspect = 16.0 / 9;
+constexpr double kLessonAspect = lab::kPlacesAspect;
 
 /// The words of a lesson, which are known without its scene.
 struct LessonText {

@@ -14,7 +14,6 @@ namespace {
 
 constexpr float kSmallest = 0.72f; ///< of the text's size: what the last row still reads in presenter mode
 constexpr float kSmaller = 0.04f;  ///< steps of that size, tried until the lines are enough
-constexpr float kLineEm = 1.25f;
 constexpr float kBarEm = 11, kShortestBarEm = 4; ///< length of a bar
 constexpr int kBarSteps = 64; ///< colours of a bar: finer than the eye can distinguish
 
@@ -127,10 +126,10 @@ KeyLayout layKey(std::vector<KeyItem>& items, int width, int most, const Theme& 
 /// Swatches with their words, one after the other.
 void drawKey(ImDrawList& list, const std::vector<KeyEntry>& entries, const Area& band, const Theme& theme) {
     std::vector<KeyItem> items = itemsOf(entries);
-    const int most = std::max(1, static_cast<int>(static_cast<float>(band.size.y) / (kLineEm * theme.em)));
+    const int most = std::max(1, static_cast<int>(static_cast<float>(band.size.y) / (kLegendLineEm * theme.em)));
     const auto [em, lines] = layKey(items, band.size.x, most, theme);
     const auto height = static_cast<float>(band.size.y), left = static_cast<float>(band.corner.x);
-    const float lineHeight = lines.size() == 1 ? height : std::min(em * kLineEm, height / static_cast<float>(lines.size()));
+    const float lineHeight = lines.size() == 1 ? height : std::min(em * kLegendLineEm, height / static_cast<float>(lines.size()));
     float y = static_cast<float>(band.corner.y) + (height - lineHeight * static_cast<float>(lines.size())) / 2;
     for (const auto& line : lines) {
         float x = left + em * 0.5f;

@@ -12,22 +12,8 @@ namespace {
 constexpr double kBrush = 0.025; ///< radius, as a share of the picture's height: a finger on a far screen
 constexpr ImU32 kPaint = IM_COL32(40, 40, 44, 170);
 
-/// A place of the picture that lessons are made for, in the window.
-ImVec2 placeOf(const ShownPane& shown, const dvec2& share) {
-    const double aspect = static_cast<double>(shown.pictureSize.x) / shown.pictureSize.y;
-    const course::LookBox point = course::inPictureOf(aspect, {share, {0, 0}, ""});
-    return {shown.pictureCorner.x + static_cast<float>(point.corner.x) * shown.pictureSize.x,
-            shown.pictureCorner.y + static_cast<float>(point.corner.y) * shown.pictureSize.y};
-}
-
-dvec2 shareOf(const ShownPane& shown, ImVec2 place) {
-    const double height = shown.pictureSize.y;
-    const double x = (place.x - shown.pictureCorner.x - 0.5 * shown.pictureSize.x) / (height * course::kLessonAspect);
-    return {x + 0.5, (place.y - shown.pictureCorner.y) / height};
-}
-
 void drawLook(ImDrawList& list, const course::LookBox& box, const ShownPane& shown, const Theme& theme, bool named) {
-    const ImVec2 low = placeOf(shown, box.corner), high = placeOf(shown, box.corner + box.size);
+    const ImVec2 low = shown.at(box.corner), high = shown.at(box.corner + box.size);
     const float width = std::max(2.0f, theme.em / 7);
     list.AddRect({low.x - 1, low.y - 1}, {high.x + 1, high.y + 1}, IM_COL32(16, 16, 18, 255), 0, 0, width + 2);
     list.AddRect(low, high, kAccent, 0, 0, width);
@@ -57,7 +43,7 @@ void drawCells(ImDrawList& list, const ShownPane& shown, const ColorOf& colorOf)
             for (end = x + 1; end < course::kPredictionSize.x && colorOf(end, y) == color;)
                 ++end;
             if (color != 0)
-                list.AddRectFilled(placeOf(shown, dvec2(x, y) / size), placeOf(shown, dvec2(end, y + 1) / size), color);
+                list.AddRectFilled(shown.at(dvec2(x, y) / size), shown.at(dvec2(end, y + 1) / size), color);
         }
 }
 
@@ -96,9 +82,9 @@ bool handlePainting(WindowState& ui, const std::vector<ShownPane>& panes) {
     const ShownPane& shown = panes.front();
     if (!shown.area.contains(io.MousePos)) return false;
     // Along the whole way since the last frame, so that fast strokes have no gaps.
-    const dvec2 to = shareOf(shown, io.MousePos);
+    const dvec2 to = shown.placeAt({io.MousePos.x, io.MousePos.y});
     const bool begins = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1);
-    const dvec2 from = begins ? to : shareOf(shown, {io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y});
+    const dvec2 from = begins ? to : shown.placeAt({io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y});
     const int steps = 1 + static_cast<int>(glm::length(to - from) / (0.5 * kBrush));
     for (int i = 0; i <= steps; ++i)
         ui.lesson.painted.paint(glm::mix(from, to, static_cast<double>(i) / steps), kBrush, paints);

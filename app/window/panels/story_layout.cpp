@@ -2,7 +2,6 @@
 #include "app/window/panels/story_layout.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "app/course/lessons/lesson.h"
@@ -18,6 +17,8 @@ constexpr float kMostOfRoom = 0.45f;    ///< of the height: longer texts scroll,
 constexpr float kLeastRoomEm = 16;      ///< height below which a band that tells nothing is left out
 constexpr float kLeastForColumnsEm = 34; ///< width below which pseudocode stands below the text and not beside it
 constexpr float kPictureShare = 0.42f;  ///< of the width, beside a drawing; its type has to be read as well
+
+constexpr float kLeastTextShare = 0.35f, kMostTextShare = 0.65f; ///< of the width, for text beside pseudocode
 
 StoryPage pageOf(const WindowState& ui) {
     switch (storyMode(ui)) {
@@ -56,16 +57,18 @@ float pageHeight(const StoryPage& page, float width, float textShare, const Them
     return hasColumns ? std::max(text, code) : text + code;
 }
 
-/// The share with which the highest page is lowest: lines of pseudocode are long on one page, sentences on another.
+/// Half of the width, or what the longest line of pseudocode leaves: with which of them the highest page is lower.
 float bestTextShare(const std::vector<StoryPage>& pages, float width, const Theme& theme) {
-    constexpr std::array kShares{0.5f, 0.45f, 0.4f, 0.35f, 0.55f, 0.6f, 0.65f};
-    const auto highest = [&](float share) {
-        float height = 0;
-        for (const StoryPage& page : pages)
-            height = std::max(height, pageHeight(page, width, share, theme));
-        return height;
-    };
-    return *std::ranges::min_element(kShares, {}, highest);
+    float longest = 0, halved = 0, fitted = 0;
+    for (const StoryPage& page : pages)
+        for (const CodeLine& line : page.code)
+            longest = std::max(longest, theme.code->CalcTextSizeA(theme.codeSize, FLT_MAX, 0, line.text.c_str()).x);
+    const float left = std::clamp(1 - (longest + 2 * theme.em) / width, kLeastTextShare, kMostTextShare);
+    for (const StoryPage& page : pages) {
+        halved = std::max(halved, pageHeight(page, width, 0.5f, theme));
+        fitted = std::max(fitted, pageHeight(page, width, left, theme));
+    }
+    return fitted < halved ? left : 0.5f;
 }
 
 /// Pixels that the band would need at that width.

@@ -40,12 +40,6 @@ bool isRectSurface(const scene::Scene& scene, const scene::Object& object) {
     return object.emitterOfLight >= 0 && scene.light(object.emitterOfLight).type == scene::LightType::rect;
 }
 
-/// A radiance as a finished picture shows it: shaders/picture/encode.frag on the processor.
-vec3 finished(const vec3& radiance, float exposure) {
-    const auto encoded = [&](float linear) { return static_cast<float>(image::srgbFromLinear(exposure * linear)) / 255; };
-    return {encoded(radiance.r), encoded(radiance.g), encoded(radiance.b)};
-}
-
 /// What shaders/surface.vert and shaders/lights_off.frag ask of an object.
 void setObject(const Program& program, const scene::Scene& scene, const EyeMatrices& eye, const scene::Object& object) {
     const dmat4 viewFromMesh = eye.viewFromWorld * scene::worldFromMesh(object);
@@ -168,6 +162,11 @@ void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuf
         chosen.set("clipFromMesh", mat4(clipFromMesh));
         drawRun(chosen, buffers, object, mesh.parts[part].firstTriangle, mesh.parts[part].triangleCount);
     }
+}
+
+vec3 finished(const vec3& radiance, float exposure) {
+    const image::Color8 color = image::encoded(exposure * radiance);
+    return vec3(color.r, color.g, color.b) / 255.0f;
 }
 
 void useForLight(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,

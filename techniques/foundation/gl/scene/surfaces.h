@@ -60,6 +60,9 @@ enum class ShadedAs {
     finishedAndInShadow, ///< the same, and in a second output the pixel as it is shown where the light is hidden
 };
 
+/// A radiance as a finished picture shows it: shaders/picture/encode.frag on the processor.
+vec3 finished(const vec3& radiance, float exposure);
+
 /// Puts the program to use, as it is made for lights of this kind and the materials of this scene, sets the uniforms of
 /// shaders/light.glsl and binds the facing signs. Set other uniforms after it, and follow with drawSurfaces.
 void useForLight(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
