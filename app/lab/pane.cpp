@@ -97,6 +97,12 @@ gl::Texture2D textureOf(const image::Image& image) {
     return texture;
 }
 
+bool Pane::showsAnother() const {
+    const PaneState& asked = drawnFor_.state;
+    return picture_.texture && drawnFor_.snapshot &&
+           (drawn_.technique != asked.technique || drawn_.stage != asked.stage || drawnScene_ != drawnFor_.snapshot->name);
+}
+
 const Stage* Pane::visibility(int light) const {
     // Pixels without an answer yet would count as wrong. Shares of a light's area come last, when the picture is whole already.
     const bool isWhole = converged_ || (drawnShare() >= 1 && judgedBy() == judge::TruthOf::centre);
@@ -165,6 +171,7 @@ void Pane::draw(picture::Session& session, const picture::PictureEncoder& encode
         rendered.prepareMs = rendered_.prepareMs;
     }
     drawn_ = request.state;
+    drawnScene_ = request.snapshot->name;
     rendered_ = std::move(rendered);
     isDrawn_ = true;
 }
@@ -208,6 +215,7 @@ bool Pane::drawOutside(picture::Session& session, const picture::PictureEncoder&
     picture_ = {encoder.encodeInPlace(*seen, StageKind::swatches, request.snapshot->exposure), StageKind::swatches,
                 seen->display, picture::captionOf(*slot.info, seen->key.id)};
     drawn_ = request.state;
+    drawnScene_ = request.snapshot->name;
     return true;
 }
 

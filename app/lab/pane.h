@@ -88,6 +88,8 @@ public:
                !drawnFor_.state.stage.isOutside();
     }
     [[nodiscard]] const PaneRequest& drawnFor() const { return drawnFor_; }
+    /// The picture is still another technique's, of another stage or of another scene: what is asked for takes its time.
+    [[nodiscard]] bool showsAnother() const;
     /// The technique's passes that run with the settings of the picture, in order, also where it stops after one of them. None
     /// while the picture is still another technique's, or of a scene with other lights, as it may be for long: a small window has
     /// no room for a new one, and from outside no passes run.
@@ -117,6 +119,7 @@ private:
     std::string passesTechnique_;           ///< whose they are
     std::vector<std::string> passesLights_; ///< of the scene they ran for; they name lights by number
     PaneState drawn_;                       ///< of the picture
+    std::string drawnScene_;                ///< its scene's name
     std::string failure_;
     double progress_ = 1;
     bool converged_ = true, timed_ = false;

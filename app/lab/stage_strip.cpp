@@ -12,6 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr int kWrongPixelWidth = 3; ///< of a wrong pixel that stands alone: one pixel of a thumbnail is hardly seen
 constexpr int kFiner = 2; ///< samples of a thumbnail's pixel in each direction: small pictures of edges need it
 
 // Some stages share work, as the pictures from the light share a map, so a frame of several is cheaper than several frames. But while
@@ -56,13 +57,13 @@ void StageStrip::begin(const picture::Slot& slot, const PaneRequest& request) {
     for (const StageInfo& stage : slot.info->stages)
         if (!stage.perLight || hasLights)
             thumbnails_.push_back({{std::string(stage.id)}, std::string(stage.caption), {}, true});
-    // What the session derives is exact and slow, or from elsewhere: it is named here and drawn when it is chosen.
+    own_ = thumbnails_.size();
     for (const StageInfo& stage : picture::stagesOf(*slot.info))
         if (picture::isDerived(stage.id) && (!stage.perLight || hasLights))
-            thumbnails_.push_back({{std::string(stage.id)}, std::string(stage.caption), {}, false});
+            thumbnails_.push_back({{std::string(stage.id)}, std::string(stage.caption), {}, true});
     for (Thumbnail& thumbnail : thumbnails_) {
         const auto old = std::ranges::find(before, thumbnail.stage, &Thumbnail::stage);
-        if (sameTechnique && thumbnail.isToCome && old != before.end()) thumbnail.picture = std::move(old->picture);
+        if (sameTechnique && old != before.end()) thumbnail.picture = std::move(old->picture);
     }
     next_ = 0;
     atOnce_ = 1;
@@ -73,12 +74,11 @@ void StageStrip::begin(const picture::Slot& slot, const PaneRequest& request) {
 /// One frame. False when the technique has more to prepare or to refine, or there are more stages.
 bool StageStrip::draw(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, picture::Slot& slot,
                       Deadline deadline) {
+    if (next_ >= own_) return drawDerived(session, encoder, request, slot, deadline);
     const float exposure = request.snapshot->exposure;
     const ivec2 size = request.view.size / kFiner;
-    const auto isToCome = [](const Thumbnail& thumbnail) { return thumbnail.isToCome; };
-    const auto end = static_cast<std::size_t>(std::ranges::count_if(thumbnails_, isToCome)) + next_;
     // Where one frame is not enough, the next ones go on with its work: all stages are made of it, and no ray is traced twice.
-    const std::size_t last = takesLong_ ? end : std::min(end, next_ + atOnce_);
+    const std::size_t last = takesLong_ ? own_ : std::min(own_, next_ + atOnce_);
     FrameRequest frame;
     frame.deadline = deadline;
     for (std::size_t i = std::max<std::size_t>(next_, 1); i < last; ++i) {
@@ -106,7 +106,36 @@ bool StageStrip::draw(picture::Session& session, const picture::PictureEncoder& 
     if (!rendered.converged) return false;
     next_ = last;
     atOnce_ = Clock::now() - start < kQuickFrame ? 2 * atOnce_ : 1;
-    return next_ == end;
+    return next_ == thumbnails_.size();
+}
+
+/// One of the stages that the session derives, for the pixels of the small picture: they are about single pixels. The tree for their
+/// rays is built slice by slice.
+bool StageStrip::drawDerived(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request,
+                             picture::Slot& slot, Deadline deadline) {
+    progress_ = session.prepareTruth(deadline);
+    if (progress_ < 1) return false;
+    Thumbnail& thumbnail = thumbnails_[next_];
+    View view = request.view;
+    view.size = request.view.size / kFiner;
+    const StageKey key{thumbnail.stage.id, request.snapshot->lights.empty() ? kNoLight : request.light};
+    FrameRequest frame;
+    frame.stages = picture::neededFor(key);
+    frame.deadline = deadline;
+    const picture::RenderedFrame rendered = session.render(slot, view, frame);
+    progress_ = rendered.prepared < 1 ? rendered.prepared : rendered.drawn;
+    if (!rendered.converged) return false;
+    const picture::Panel panel = picture::derivedPanel(session, slot, rendered, encoder,
+                                                       {.stage = key,
+                                                        .view = view,
+                                                        .row = {},
+                                                        .outside = request.outsideCamera,
+                                                        .outsideSize = view.size,
+                                                        .markWidth = kWrongPixelWidth,
+                                                        .outsideChoice = request.outsideChoice});
+    thumbnail.picture = {textureOf(panel.picture), panel.kind, panel.display, ""};
+    thumbnail.isToCome = false;
+    return ++next_ == thumbnails_.size();
 }
 
 } // namespace shadowlab::lab

@@ -17,11 +17,6 @@ namespace shadowlab::report {
 
 namespace {
 
-struct Value {
-    double value = 0;
-    int compared = 0;
-};
-
 /// The pixels whose middles lie in the box; all of them without one.
 Region regionOf(const course::Lesson& lesson, const course::Expectation& expected) {
     if (!expected.look) return {ivec2(0), lesson.size};
@@ -49,9 +44,8 @@ public:
         view_.size = lesson.size;
     }
 
-    Value value(const course::Expectation& expected) {
-        const auto found = std::ranges::find(course::kLessonQuantities, expected.quantity, &course::LessonQuantity::id);
-        switch (found->of) {
+    MeasuredValue value(const course::Expectation& expected) {
+        switch (course::quantityOf(expected).of) {
         case course::LessonQuantity::Of::visibility: return judged(expected);
         case course::LessonQuantity::Of::motion: return motion(expected);
         case course::LessonQuantity::Of::picture: return level(expected);
@@ -85,7 +79,7 @@ private:
         return drawn;
     }
 
-    Value judged(const course::Expectation& expected) {
+    MeasuredValue judged(const course::Expectation& expected) {
         const Drawn& frame = drawn(expected.slot);
         if (!frame.answers)
             throw Error(ExitStatus::badInput, scene::shownPath(lesson_.text.file) + ": '" + expected.quantity +
@@ -116,7 +110,7 @@ private:
         return {static_cast<double>(lit + dark), judged};
     }
 
-    Value motion(const course::Expectation& expected) {
+    MeasuredValue motion(const course::Expectation& expected) {
         if (expected.quantity == "crawl") return crawl(expected);
         std::vector<picture::Slot> slots = course::slotsOf({state_.slots[static_cast<std::size_t>(expected.slot)]});
         picture::Session session(state_.scene);
@@ -127,7 +121,7 @@ private:
         return {rate.value_or(0), rate ? lesson_.motion.frames - 1 : 0};
     }
 
-    Value crawl(const course::Expectation& expected) {
+    MeasuredValue crawl(const course::Expectation& expected) {
         picture::Slot slot = std::move(course::slotsOf({state_.slots[static_cast<std::size_t>(expected.slot)]}).front());
         trace::SceneTracer tracer;
         tracer.advance(state_.scene, Deadline::max());
@@ -156,7 +150,7 @@ private:
         return std::make_shared<const scene::Scene>(std::move(scene));
     }
 
-    Value level(const course::Expectation& expected) {
+    MeasuredValue level(const course::Expectation& expected) {
         const image::Image& picture = drawn(expected.slot).picture;
         double sum = 0, squares = 0;
         const int pixels = forEachPixel(regionOf(lesson_, expected), [&](int x, int y) {
@@ -171,7 +165,7 @@ private:
         return {std::sqrt(std::max(0.0, squares / pixels - mean * mean)), pixels};
     }
 
-    Value againstReference(const course::Expectation& expected) {
+    MeasuredValue againstReference(const course::Expectation& expected) {
         std::vector<picture::Slot> slots = course::slotsOf({*expected.reference});
         const image::Image reference = draw(slots[0]).picture;
         const image::Image& picture = drawn(expected.slot).picture;
@@ -187,7 +181,7 @@ private:
         return {std::sqrt(squares / (3.0 * std::max(pixels, 1))), pixels};
     }
 
-    Value fact(const course::Expectation& expected) {
+    MeasuredValue fact(const course::Expectation& expected) {
         const Drawn& frame = drawn(expected.slot);
         std::vector<std::string> known;
         if (expected.quantity == "counter") {
@@ -224,16 +218,23 @@ private:
 
 } // namespace
 
+std::vector<MeasuredValue> measureState(const course::Lesson& lesson, std::size_t state) {
+    StateMeasure measure(lesson, lesson.states[state]);
+    std::vector<MeasuredValue> values;
+    for (const course::Expectation& expected : lesson.expectations)
+        values.push_back(measure.value(expected));
+    return values;
+}
+
 std::vector<MeasuredExpectation> measureLesson(const course::Lesson& lesson) {
     std::vector<MeasuredExpectation> measured(lesson.expectations.size());
     for (std::size_t state = 0; state < lesson.states.size(); ++state) {
-        StateMeasure measure(lesson, lesson.states[state]);
+        const std::vector<MeasuredValue> values = measureState(lesson, state);
         for (std::size_t i = 0; i < measured.size(); ++i) {
             const course::Expectation& expected = lesson.expectations[i];
-            const Value value = measure.value(expected);
-            measured[i].values[state] = value.value;
-            measured[i].compared[state] = value.compared;
-            measured[i].holds[state] = (state == 0 ? expected.before : expected.after).holds(value.value);
+            measured[i].values[state] = values[i].value;
+            measured[i].compared[state] = values[i].compared;
+            measured[i].holds[state] = (state == 0 ? expected.before : expected.after).holds(values[i].value);
         }
     }
     return measured;

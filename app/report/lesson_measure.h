@@ -16,7 +16,15 @@ struct MeasuredExpectation {
     std::array<bool, 2> holds{};
 };
 
-/// In the order of the lesson's expectations. A value that could not be measured (a fact that no probe contains) is an Error
+/// The values of one of the two states (0 before, 1 after), in the order of the lesson's expectations; of each, how many pixels, frames
+/// or numbers it is about. Throws as measureLesson does. Needs a current GL context.
+struct MeasuredValue {
+    double value = 0;
+    int compared = 0;
+};
+std::vector<MeasuredValue> measureState(const course::Lesson& lesson, std::size_t state);
+
+/// Both states, in the order of the lesson's expectations. A value that could not be measured (a fact that no probe contains) is an Error
 /// (badInput) naming what there is. Needs a current GL context.
 std::vector<MeasuredExpectation> measureLesson(const course::Lesson& lesson);
 

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "app/course/lessons/lesson_quantities.h"
+#include "app/picture/labels.h"
+#include "app/report/lesson_measure.h"
 #include "app/window/window_state.h"
 #include "techniques/foundation/base/error.h"
 
@@ -26,6 +29,11 @@ lab::Document documentOf(const Lesson& lesson, LessonStep step) {
         state.layout = picture::Layout::single;
     }
     return course::documentOf(state);
+}
+
+/// Does the step show one of the lesson's two states?
+bool showsState(const LessonState& on) {
+    return on.now && (on.step == LessonStep::artefact || on.step == LessonStep::remedy);
 }
 
 void reveal(WindowState& ui) {
@@ -96,6 +104,7 @@ void openLesson(WindowState& ui, const std::string& nameOrPath, bool atItsEnd) {
     ui.lesson.painted.clear();
     ui.lesson.score.reset();
     ui.lesson.wrong = {};
+    ui.lesson.measured = {};
     show(ui, atItsEnd ? steps.back() : steps.front());
 }
 
@@ -130,7 +139,7 @@ void leaveLesson(WindowState& ui) {
 
 void keepWrongPixels(WindowState& ui, const lab::LiveErrors& errors) {
     LessonState& on = ui.lesson;
-    if (!on.now || (on.step != LessonStep::artefact && on.step != LessonStep::remedy)) return;
+    if (!showsState(on)) return;
     const std::size_t state = on.step == LessonStep::remedy ? 1 : 0;
     const auto slot = static_cast<std::size_t>(course::judgedSlot(*on.now));
     const lab::PaneState& meant = on.shown.panes[slot];
@@ -141,6 +150,25 @@ void keepWrongPixels(WindowState& ui, const lab::LiveErrors& errors) {
         found->judged.light != on.shown.light || found->judged.snapshot != on.shown.scene)
         return;
     on.wrong[state] = found->counts.wrong();
+}
+
+bool isMeasuredApart(const Lesson& lesson) {
+    const course::LessonQuantity& quantity = course::quantityOf(lesson.expectations.front());
+    return quantity.of != course::LessonQuantity::Of::visibility || !quantity.countsPixels();
+}
+
+bool measureShownState(WindowState& ui) {
+    LessonState& on = ui.lesson;
+    if (!showsState(on) || !isMeasuredApart(*on.now)) return false;
+    const std::size_t state = on.step == LessonStep::remedy ? 1 : 0;
+    if (!on.measured[state].empty()) return false;
+    try {
+        on.measured[state] = picture::shortNumber(report::measureState(*on.now, state).front().value);
+    } catch (const Error& fault) {
+        on.measured[state] = "unknown";
+        complain(ui, fault.what());
+    }
+    return true;
 }
 
 void answer(WindowState& ui, int choice) {

@@ -29,6 +29,7 @@ struct LessonState {
     std::vector<course::LessonChange> changes; ///< what its remedy changes
     lab::Document shown;                       ///< by the step on show, before anything was changed by hand
     std::array<std::optional<int>, 2> wrong{}; ///< pixels of the artefact and of the remedy, as the window's judge found them
+    std::array<std::string, 2> measured{};     ///< of a lesson about something else: that of its states; empty before it is known
 
     [[nodiscard]] bool isOn() const { return now.has_value(); }
     /// Does the mouse paint where the shadow will be?
@@ -47,6 +48,11 @@ void stepLesson(WindowState& ui, int by);
 void leaveLesson(WindowState& ui);
 /// Keeps how many pixels of the state on show are wrong, once the judge has found it exactly.
 void keepWrongPixels(WindowState& ui, const lab::LiveErrors& errors);
+/// Is the lesson about a number that is measured in pictures of its own, not about pixels that the window's judge finds wrong?
+bool isMeasuredApart(const course::Lesson& lesson);
+/// Measures that number for the state on show, in pictures of the lesson's size: 0.4 s at most on two cores. True if there was
+/// something to measure. For when all is drawn. Needs a current GL context.
+bool measureShownState(WindowState& ui);
 /// An answer to the question that is asked; counted from 0.
 void answer(WindowState& ui, int choice);
 

@@ -41,6 +41,8 @@ void drawWhole(ImDrawList& list, const gl::Texture2D& texture, const ShownPane& 
         list.AddImage(imguiTexture(texture), low, high, {0, 1}, {1, 0});
 }
 
+constexpr ImU32 kDimmed = IM_COL32(0, 0, 0, 150); ///< over a picture that is not yet what the pane's header says
+
 /// A sentence in the middle of the pane, on a plate.
 void drawNote(ImDrawList& list, const ShownPane& shown, const std::string& note, ImU32 color, const Theme& theme) {
     const float width = static_cast<float>(shown.area.size.x) - 2 * theme.em;
@@ -125,7 +127,9 @@ void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, 
 
     list.PushClipRect(low, high, true);
     FreePlaces places = placesBesideObjects(ui, shown);
-    if (!ui.lesson.isOn()) drawGizmos(list, ui, shown, places, theme);
+    for (const PlaceBox& frame : lessonFrames(ui, shown))
+        places.take(frame, FreePlaces::kSign);
+    drawGizmos(list, ui, shown, places, theme);
     drawPicked(list, ui, shown, theme);
     if (const auto glass = ui.shown.magnifier ? glassOver(shown, ivec2(0), theme) : std::nullopt) { // wherever it looks
         const auto side = static_cast<float>(glass->cell * glass->across);
@@ -134,6 +138,10 @@ void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, 
     }
     drawProbeCard(list, ui, shown, places, theme);
     drawLessonMarks(list, ui, shown, theme);
+    if (pane.showsAnother() && pane.failure().empty()) {
+        list.AddRectFilled(low, high, kDimmed);
+        drawNote(list, shown, progressOf(ui, errors, shown.pane).front(), kPlateText, theme);
+    }
     drawNote(list, shown, pane.failure(), kAccent, theme);
     if (!hasHeader) drawProgress(list, progressOf(ui, errors, shown.pane).front(), shown, theme);
     list.PopClipRect();
@@ -166,6 +174,10 @@ std::vector<std::string> progressOf(const WindowState& ui, const lab::LiveErrors
     if (ui.bench.draft() > 1) {
         const std::string count = std::to_string(ui.bench.draft() * ui.bench.draft());
         return {"while it moves: one pixel for " + count, "1 pixel for " + count};
+    }
+    if (pane.drawnShare() < 1 || pane.showsAnother()) {
+        const std::string percent = std::to_string(static_cast<int>(100 * pane.drawnShare())) + " %";
+        return {"drawing: " + percent, percent};
     }
     const bool waits = isJudged(ui, number) && !errors.shownOn(ui.bench.document(), number);
     return waits ? std::vector<std::string>{"finding the exact answer ...", "judging ..."} : std::vector<std::string>{""};

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kBetweenTimes = 1.5;     ///< seconds, while something moves
 constexpr std::chrono::milliseconds kStripSlice{25}; ///< for the strip's pictures, in a frame that other pictures have filled
-constexpr float kLeastOfPictures = 0.5f; ///< of the window's height, that the strip leaves to the panes
+constexpr float kLeastOfPictures = 0.5f, kLeastOfTwoRows = 0.65f; ///< of the window's height, that the strip leaves to the panes
 constexpr double kRestBeforeTimes = 0.25; ///< seconds; the judge's own look at what is new comes first, and is timed
 
 float panelWidth(const Theme& theme, int windowWidth) {
@@ -71,7 +71,8 @@ Area Screen::room() const {
 StripShape Screen::stripShape() const {
     if (!ui_.shown.strip) return window::stripShape(theme_, FLT_MAX); // of the pictures in the list of views
     const StoryLayout without = layStory(ui_, room(), legends_.lines(), theme_);
-    return window::stripShape(theme_, static_cast<float>(without.pictures.size.y) - kLeastOfPictures * static_cast<float>(size_.y));
+    const float least = ui_.bench.document().layout == picture::Layout::grid ? kLeastOfTwoRows : kLeastOfPictures;
+    return window::stripShape(theme_, static_cast<float>(without.pictures.size.y) - least * static_cast<float>(size_.y));
 }
 
 StoryLayout Screen::layout(const StripShape& strip) const {
@@ -145,6 +146,7 @@ bool Screen::frame(double seconds) {
     const bool figured = figure_.update(ui_, story.figure.size, theme_.em, labels_);
     busy_ = drawn || figured || moved || painted || judged || small || hasOtherBands || !ran_.empty() || !ui_.bench.isAtRest() ||
             ui_.flashUntil > ImGui::GetTime();
+    if (!busy_) busy_ = measureShownState(ui_); // once, and seen in the next frame
     settled_ = !busy_ && errors_.isDone();
 
     drawPictures(ui_, errors_, panes_, frames, theme_);

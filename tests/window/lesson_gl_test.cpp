@@ -3,10 +3,12 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <set>
 #include <thread>
 
 #include "app/context/assets.h"
+#include "app/window/panels/story_page.h"
 #include "app/window/screen.h"
 #include "tests/support/gl_fixture.h"
 
@@ -190,8 +192,34 @@ TEST_F(LessonStateTest, WrongPixelsOfBothStatesAreKept) {
     const std::vector<course::LessonChange> changes = course::changesOf(*lab.ui.lesson.now);
     ASSERT_EQ(changes.size(), 1u);
     EXPECT_EQ(changes[0].name, "Bias type");
-    EXPECT_EQ(changes[0].before, "none");
-    EXPECT_EQ(changes[0].after, "receiver-plane");
+    EXPECT_EQ(changes[0].before, "no bias");
+    EXPECT_EQ(changes[0].after, "receiver's plane at each texel") << "in words, as the panel has it";
+}
+
+// Of a lesson about something else the band has the number itself, and not what it has to be.
+TEST_F(LessonStateTest, OtherNumbersAreMeasuredForTheBand) {
+    Lab lab(false);
+    lab.screen.setPatience(std::chrono::hours(1));
+    lab.screen.fit({640, 400}, 1);
+    window::openLesson(lab.ui, "cube-seams"); // the spread of levels in a shadow that should be even
+    const auto found = [&](std::size_t state) {
+        for (int i = 0; i < 200 && lab.ui.lesson.measured[state].empty(); ++i)
+            lab.screen.frame(0.03);
+        return lab.ui.lesson.measured[state];
+    };
+    const std::string artefact = found(0);
+    ASSERT_FALSE(artefact.empty());
+    EXPECT_GE(std::stod(artefact), 5) << "seams across the shadow";
+    EXPECT_TRUE(lab.ui.lesson.measured[1].empty());
+    window::stepLesson(lab.ui, 1);
+    EXPECT_EQ(found(1), "0") << "even";
+    const auto& lines = window::lessonPage(lab.ui).lines;
+    EXPECT_TRUE(std::ranges::any_of(lines, [&](const window::StoryLine& line) {
+        return line.text.ends_with(artefact + " → 0");
+    }));
+    EXPECT_TRUE(std::ranges::any_of(lines, [](const window::StoryLine& line) {
+        return line.text.find("Seams of the cube map: ") != std::string::npos;
+    }));
 }
 
 TEST_F(LessonStateTest, AQuestionDoesNotShowItsAnswer) {

@@ -157,6 +157,24 @@ TEST_F(SlideStateTest, EscClosesOneThingAtATimeAndSLeadsBackToTheSlide) {
     EXPECT_EQ(ui.slides.slide.name, "extrusion");
 }
 
+// Four pictures, the text and all stages do not fit: the text makes room, and comes back.
+TEST_F(SlideStateTest, TheStripOfStagesLeavesASlidesPicturesTheirRoom) {
+    Lab lab;
+    lab.ui.shown.presenter = true;
+    lab.screen.fit({1280, 720}, 1);
+    openDeck(lab.ui, "shadows", "from-the-eye");
+    const auto height = [&] {
+        for (int i = 0; i < 3; ++i) // the legends take their lines when the pictures are known
+            lab.screen.frame(0.03);
+        return lab.screen.shownPanes().front().area.size.y;
+    };
+    const int without = height();
+    lab.press(GLFW_KEY_T);
+    EXPECT_GE(height(), 120) << "in a window of 720 lines";
+    lab.press(GLFW_KEY_T);
+    EXPECT_EQ(height(), without);
+}
+
 TEST_F(SlideStateTest, WhatIsNotThereIsSaidAndNothingChanges) {
     Lab lab;
     const lab::Document before = lab.ui.bench.document();

@@ -220,5 +220,26 @@ TEST_F(WindowVerdictsTest, LiveErrorsOfAnAreaComeAtRest) {
     EXPECT_NE(lab.screen.errors().errors(0)->counts.lit, lab.screen.errors().errors(1)->counts.lit);
 }
 
+// What takes its time leaves the picture before in its place: the pane says so, and says nothing of that picture's time.
+TEST_F(WindowVerdictsTest, APictureThatIsNotYetWhatItsTitleSaysIsMarked) {
+    Lab lab(scene("cornell-room"), {640, 400});
+    chooseLayout(lab.ui, picture::Layout::single);
+    settle(lab.screen);
+    EXPECT_FALSE(lab.ui.bench.pane(0).showsAnother());
+    EXPECT_EQ(window::progressOf(lab.ui, lab.screen.errors(), 0).front(), "");
+    const std::vector<std::uint8_t> before = pixels(lab.screen);
+    lab.screen.setPatience(std::chrono::milliseconds(0));
+    lab.ui.bench.change("", [](lab::Document& d) { d.panes[0].technique = "radiosity"; });
+    lab.screen.frame(0.03);
+    ASSERT_TRUE(lab.ui.bench.pane(0).showsAnother()) << "form factors are not found in no time";
+    EXPECT_NE(window::progressOf(lab.ui, lab.screen.errors(), 0).front().find(" %"), std::string::npos);
+    const std::vector<std::uint8_t> marked = pixels(lab.screen);
+    const std::size_t middle = (static_cast<std::size_t>(250) * 640 + 60) * 4; // beside the note, rows from the bottom or the top
+    EXPECT_LT(marked[middle], before[middle]) << "dimmed";
+    lab.screen.setPatience(std::chrono::hours(1));
+    settle(lab.screen);
+    EXPECT_FALSE(lab.ui.bench.pane(0).showsAnother());
+}
+
 } // namespace
 } // namespace shadowlab

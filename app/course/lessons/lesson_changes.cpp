@@ -9,10 +9,19 @@ namespace shadowlab::course {
 
 namespace {
 
-/// The value of a setting in words, also where it is the technique's own.
+/// The value of a setting, also where it is the technique's own.
 std::string valueOf(const lab::PaneState& state, const params::Param& param) {
     const auto found = state.values().find(param.id);
     return found != state.values().end() ? found->second : params::initialText(param);
+}
+
+/// As the panel writes it: "on", "percentage-closer filtering", "2048 texels".
+std::string inWords(const std::string& value, const params::Param& param) {
+    if (param.kind == params::Kind::boolean) return value == "true" ? "on" : "off";
+    const auto choice = std::ranges::find(param.choices, value) - param.choices.begin();
+    if (choice < std::ssize(param.choiceNames) && !param.choiceNames[static_cast<std::size_t>(choice)].empty())
+        return param.choiceNames[static_cast<std::size_t>(choice)];
+    return value + (param.unit.empty() ? "" : " " + param.unit);
 }
 
 void addChangesOfSlot(std::vector<LessonChange>& changes, const lab::PaneState& before, const lab::PaneState& after) {
@@ -24,7 +33,7 @@ void addChangesOfSlot(std::vector<LessonChange>& changes, const lab::PaneState& 
     const picture::Slot slot = picture::Session::makeSlot(before.technique);
     for (const params::Param& param : slot.params) {
         const std::string from = valueOf(before, param), to = valueOf(after, param);
-        if (from != to) changes.push_back({params::labelOf(param), from, to});
+        if (from != to) changes.push_back({params::labelOf(param), inWords(from, param), inWords(to, param)});
     }
 }
 
@@ -45,8 +54,7 @@ std::vector<LessonChange> changesOf(const Lesson& lesson) {
 
 int judgedSlot(const Lesson& lesson) {
     for (const Expectation& expected : lesson.expectations)
-        for (const LessonQuantity& quantity : lessonQuantities())
-            if (quantity.id == expected.quantity && quantity.of == LessonQuantity::Of::visibility) return expected.slot;
+        if (quantityOf(expected).of == LessonQuantity::Of::visibility) return expected.slot;
     return 0;
 }
 

@@ -87,4 +87,8 @@ void readExpectations(const JsonObject& top, Lesson& lesson) {
         top.fail("expect", "is missing or empty; write what can be measured of the artefact");
 }
 
+const LessonQuantity& quantityOf(const Expectation& expected) {
+    return *std::ranges::find(kLessonQuantities, expected.quantity, &LessonQuantity::id);
+}
+
 } // namespace shadowlab::course

@@ -47,7 +47,24 @@ void drawCells(ImDrawList& list, const ShownPane& shown, const ColorOf& colorOf)
         }
 }
 
+/// As the lesson means it: neither from another place, nor from outside, nor after a step that does not show it yet.
+bool showsLook(const WindowState& ui, const ShownPane& shown) {
+    const LessonState& on = ui.lesson;
+    if (!on.now || (on.step != LessonStep::artefact && on.step != LessonStep::remedy)) return false;
+    const picture::StageRef& stage = ui.bench.document().panes[static_cast<std::size_t>(shown.pane)].stage;
+    return ui.bench.document().camera == on.now->states[on.step == LessonStep::remedy ? 1 : 0].camera && !stage.isOutside() &&
+           !stage.isPass;
+}
+
 } // namespace
+
+std::vector<PlaceBox> lessonFrames(const WindowState& ui, const ShownPane& shown) {
+    std::vector<PlaceBox> frames;
+    if (!showsLook(ui, shown)) return frames;
+    for (const course::LookBox& box : ui.lesson.now->look)
+        frames.push_back({shown.at(box.corner), shown.at(box.corner + box.size)});
+    return frames;
+}
 
 void drawLessonMarks(ImDrawList& list, const WindowState& ui, const ShownPane& shown, const Theme& theme) {
     const LessonState& on = ui.lesson;
@@ -66,10 +83,7 @@ void drawLessonMarks(ImDrawList& list, const WindowState& ui, const ShownPane& s
             default: return ImU32{0};
             }
         });
-    if (on.step != LessonStep::artefact && on.step != LessonStep::remedy) return;
-    // From outside things lie elsewhere, and after a step they are not to be seen yet.
-    const picture::StageRef& stage = ui.bench.document().panes[static_cast<std::size_t>(shown.pane)].stage;
-    if (stage.isOutside() || stage.isPass) return;
+    if (!showsLook(ui, shown)) return;
     for (const course::LookBox& box : on.now->look)
         drawLook(list, box, shown, theme, on.step == LessonStep::artefact);
 }

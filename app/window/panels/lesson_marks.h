@@ -3,11 +3,15 @@
 #pragma once
 #include <imgui.h>
 
+#include "app/window/free_places.h"
 #include "app/window/pictures.h"
 #include "app/window/theme.h"
 #include "app/window/window_state.h"
 
 namespace shadowlab::window {
+
+/// Where its frames are in a pane, in pixels of the window.
+std::vector<PlaceBox> lessonFrames(const WindowState& ui, const ShownPane& shown);
 
 /// Nothing without a lesson, and nothing after the camera has left the place that the frames are for.
 void drawLessonMarks(ImDrawList& list, const WindowState& ui, const ShownPane& shown, const Theme& theme);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "app/course/lessons/lesson_figure.h"
@@ -53,19 +54,23 @@ std::string changesLine(const LessonState& on, bool isRemedy) {
     return line.empty() ? line : (isRemedy ? "Changed:  " : "Setting:  ") + line;
 }
 
-const course::LessonQuantity& quantityOf(const course::Expectation& expected) {
-    return *std::ranges::find(course::kLessonQuantities, expected.quantity, &course::LessonQuantity::id);
+/// What a lesson is about that does not count wrong pixels: "Spread of levels (of 255):  12.1 → 0".
+std::string measuredLine(const LessonState& on, bool isRemedy) {
+    const course::Expectation& expected = on.now->expectations.front();
+    const course::LessonQuantity& quantity = course::quantityOf(expected);
+    std::string name = expected.fact.empty() ? std::string(quantity.name) : expected.fact;
+    if (!expected.fact.empty()) name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+    if (expected.reference) name += ", " + std::string(findTechnique(expected.reference->technique).title);
+    if (expected.look) name += ", in the frame";
+    if (!quantity.unit.empty() && !quantity.countsPixels()) name += " (" + std::string(quantity.unit) + ")";
+    const std::array<std::string, 2>& found = on.measured;
+    const std::string now = found[isRemedy ? 1 : 0].empty() ? "being measured" : found[isRemedy ? 1 : 0];
+    return name + ":  " + (isRemedy && !found[0].empty() ? found[0] + " → " : std::string()) + now;
 }
 
-/// How many pixels are wrong; of a lesson about something else, what is measured and what it has to be.
+/// How many pixels are wrong.
 std::string countsLine(const LessonState& on, bool isRemedy) {
-    const course::Expectation& expected = on.now->expectations.front();
-    const course::LessonQuantity& quantity = quantityOf(expected);
-    if (quantity.of != course::LessonQuantity::Of::visibility) {
-        const std::string name = expected.fact.empty() ? std::string(quantity.id) : expected.fact;
-        const std::string unit = quantity.unit.empty() ? "" : " (" + std::string(quantity.unit) + ")";
-        return "Measured:  " + name + unit + ": " + expected.before.text() + (isRemedy ? " → " + expected.after.text() : "");
-    }
+    if (isMeasuredApart(*on.now)) return measuredLine(on, isRemedy);
     const auto count = [&](std::size_t state) {
         return on.wrong[state] ? std::to_string(*on.wrong[state]) : std::string("being counted");
     };

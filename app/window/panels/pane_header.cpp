@@ -6,6 +6,7 @@
 
 #include "app/picture/derived_stages.h"
 #include "app/picture/verdict_reasons.h"
+#include "app/window/actions.h"
 #include "app/window/panels/widgets.h"
 #include "app/window/widget_renderer.h"
 #include "techniques/registry.h"
@@ -128,13 +129,22 @@ void techniqueMenu(WindowState& ui, int pane, const Title& title, const MenuWidt
     hint((title.whole() + "\nthe technique of this pane (number keys)").c_str());
 }
 
-/// One line of the menu: a small picture, where there is one, and what it shows.
-bool viewEntry(const std::string& caption, bool chosen, const lab::Thumbnail* thumbnail, const Theme& theme) {
+/// The key that shows a stage which every technique has; empty where there is none.
+std::string keyOf(std::string_view stage) {
+    if (!picture::isDerived(stage)) return "";
+    const auto known = actions();
+    const auto found = std::ranges::find(known, stage, [](const Action& action) { return std::string_view(action.id); });
+    return found == known.end() ? "" : found->keys;
+}
+
+/// One line of the menu: a small picture, where there is one, what it shows, and its key.
+bool viewEntry(const std::string& caption, const std::string& key, bool chosen, const lab::Thumbnail* thumbnail, const Theme& theme) {
     const ImVec2 size(theme.em * 4, theme.em * 2.25f);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float pad = theme.em * 0.15f;
     ImGui::PushID(caption.c_str());
     const bool pressed = ImGui::Selectable("##view", chosen, 0, {0, size.y + 2 * pad});
+    const float right = ImGui::GetItemRectMax().x - theme.em * 0.5f;
     ImGui::PopID();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 low(corner.x, corner.y + pad);
@@ -148,6 +158,8 @@ bool viewEntry(const std::string& caption, bool chosen, const lab::Thumbnail* th
     }
     list.AddText({low.x + size.x + theme.em * 0.6f, low.y + (size.y - ImGui::GetTextLineHeight()) / 2},
                  chosen ? kAccent : ImGui::GetColorU32(ImGuiCol_Text), caption.c_str());
+    list.AddText({right - ImGui::CalcTextSize(key.c_str()).x, low.y + (size.y - ImGui::GetTextLineHeight()) / 2},
+                 ImGui::GetColorU32(ImGuiCol_TextDisabled), key.c_str());
     return pressed;
 }
 
@@ -169,7 +181,7 @@ bool viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, const Tit
         const auto entry = [&](const picture::StageRef& stage, const std::string& caption) {
             const auto& pictures = strip.thumbnails();
             const auto found = std::ranges::find(pictures, stage, &lab::Thumbnail::stage);
-            if (viewEntry(caption, now == stage, found == pictures.end() ? nullptr : &*found, theme))
+            if (viewEntry(caption, keyOf(stage.id), now == stage, found == pictures.end() ? nullptr : &*found, theme))
                 chooseView(ui, stage);
         };
         entry({}, "the finished picture");
@@ -185,6 +197,10 @@ bool viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, const Tit
     return isOpen;
 }
 
+// Beyond this many wrong pixels for each pixel of a true edge they do not lie along it: they are stripes, or whole areas, and a
+// distance of edges would say something else.
+constexpr double kLargestEdgeError = 5;
+
 /// "lamp: 404 wrong pixels, edge 0.21 px, 12 ms", and shorter: what is left out has the tooltip.
 std::vector<std::string> verdictForms(const WindowState& ui, const lab::LiveErrors& errors, int pane) {
     if (ui.lesson.paints()) return {"judged when the truth is shown", "not judged yet"};
@@ -192,7 +208,7 @@ std::vector<std::string> verdictForms(const WindowState& ui, const lab::LiveErro
     std::string light;
     if (lights.size() > 1)
         light = lights[std::min(static_cast<std::size_t>(ui.bench.document().light), lights.size() - 1)].name + ": ";
-    const bool hasTime = ui.live && ui.showsTimes;
+    const bool hasTime = ui.live && ui.showsTimes && !ui.bench.pane(pane).showsAnother();
     const std::string time = hasTime ? ", " + std::to_string(std::lround(ui.bench.pane(pane).rendered().frameMs)) + " ms" : "";
     if (ui.bench.document().panes[static_cast<std::size_t>(pane)].stage.isPass)
         return {light + "a step, not judged" + time, light + "a step, not judged", light + "a step"};
@@ -200,7 +216,8 @@ std::vector<std::string> verdictForms(const WindowState& ui, const lab::LiveErro
     if (!known) return {light + "not judged yet" + time, light + "not judged yet", light + "not judged"};
     const int wrong = known->counts.wrong();
     const std::string count = light + std::to_string(wrong) + " wrong";
-    const std::string edge = known->edgeErrorPx ? picture::fixed(*known->edgeErrorPx, 2) + " px" : "";
+    const bool hasEdge = known->edgeErrorPx && *known->edgeErrorPx <= kLargestEdgeError;
+    const std::string edge = hasEdge ? picture::fixed(*known->edgeErrorPx, 2) + " px" : "";
     const std::string withEdge = count + (edge.empty() ? "" : ", " + edge);
     return {count + (wrong == 1 ? " pixel" : " pixels") + (edge.empty() ? "" : ", edge " + edge) + time,
             withEdge + time, withEdge, count};
@@ -215,7 +232,8 @@ std::string fitting(const std::vector<std::string>& forms, float width) {
 
 void verdictTooltip(const lab::PaneErrors& known, const std::string& whole) {
     ImGui::SetTooltip("%s\nof the whole picture: %d pixels lit that are in shadow, %d in shadow that are lit%s\n"
-                      "edge: how far on average the shadow's edge is from where it belongs, in pixels",
+                      "edge: how far on average the shadow's edge is from where it belongs, in pixels; not said where most wrong pixels "
+                      "are elsewhere",
                       whole.c_str(), known.counts.falseLit, known.counts.falseShadow, known.exact ? "" : "\nexact when all is at rest");
 }
 

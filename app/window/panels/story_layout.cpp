@@ -116,6 +116,10 @@ std::vector<StoryPage> pagesOfBand(const WindowState& ui) {
     if (storyMode(ui) == StoryMode::steps) pages = stepPages(ui);
     if (storyMode(ui) == StoryMode::lesson) pages = lessonPages(ui);
     pages.push_back(pageOf(ui));
+    // A slide's four pictures, its text and the strip do not all fit: while stages are chosen, the text makes room.
+    if (storyMode(ui) == StoryMode::slides && ui.shown.strip)
+        for (StoryPage& page : pages)
+            page.lines.clear();
     return pages;
 }
 

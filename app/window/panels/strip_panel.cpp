@@ -25,12 +25,12 @@ void drawInFrame(ImDrawList& list, const lab::PanePicture& picture, ImVec2 corne
     list.AddImage(imguiTexture(picture.texture), low, {low.x + size.x * scale, low.y + size.y * scale}, {0, 1}, {1, 0});
 }
 
-/// Why there is no picture, or how far one has come that is still being refined. On a plate, where there is something under it.
+/// How far a picture has come that is still to be drawn, or to be refined. On a plate, where there is something under it.
 void drawWord(ImDrawList& list, const lab::Thumbnail& thumbnail, double progress, ImVec2 corner, ImVec2 frame,
               const Theme& theme) {
+    if (!thumbnail.isToCome) return;
     const bool isEmpty = !thumbnail.picture.texture;
-    if (!thumbnail.isToCome && !isEmpty) return;
-    const std::string word = thumbnail.isToCome ? std::to_string(static_cast<int>(100 * progress)) + " %" : "drawn when chosen";
+    const std::string word = std::to_string(static_cast<int>(100 * progress)) + " %";
     const float small = theme.em * 0.85f, pad = theme.em * 0.2f, wrap = frame.x - 2 * pad;
     const ImVec2 extent = theme.text->CalcTextSizeA(small, FLT_MAX, wrap, word.c_str());
     const ImVec2 low = isEmpty ? ImVec2(corner.x + (frame.x - extent.x) / 2, corner.y + (frame.y - extent.y) / 2)
