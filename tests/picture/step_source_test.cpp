@@ -179,5 +179,19 @@ TEST(StepSourceTest, EveryNamedValueIsAFactOfSomePixel) {
     EXPECT_GE(checked, 20u);
 }
 
+TEST(StepSource, OfALongProcedureTheLinesOfTheStepAreKept) {
+    const std::vector<StepLine> all = stepOf("lecture-ray-tracing", "intensity").pseudocode;
+    ASSERT_GE(all.size(), 5u);
+    const std::vector<StepLine> kept = linesOfStep(all);
+    EXPECT_LT(kept.size(), all.size());
+    EXPECT_EQ(marked(kept), marked(all));
+    EXPECT_GE(marked(kept).size(), 1u);
+    EXPECT_EQ(kept.front().text, "...");
+    for (std::size_t i = 1; i < kept.size(); ++i)
+        EXPECT_TRUE(kept[i].isCurrent || kept[i - 1].isCurrent) << "no two lines of dots in a row";
+    const std::vector<StepLine> none = {{.number = 1, .text = "a", .values = {}}, {.number = 2, .text = "b", .values = {}}};
+    EXPECT_EQ(linesOfStep(none).size(), 2u);
+}
+
 } // namespace
 } // namespace shadowlab::picture

@@ -143,4 +143,15 @@ StepSource stepSource(const TechniqueInfo& info, const PassInfo* pass, const par
     return step;
 }
 
+std::vector<StepLine> linesOfStep(const std::vector<StepLine>& lines) {
+    if (std::ranges::none_of(lines, &StepLine::isCurrent)) return lines;
+    std::vector<StepLine> kept;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (lines[i].isCurrent)
+            kept.push_back(lines[i]);
+        else if (i == 0 || lines[i - 1].isCurrent)
+            kept.push_back({.number = lines[i].number, .text = "...", .values = {}});
+    return kept;
+}
+
 } // namespace shadowlab::picture

@@ -16,6 +16,9 @@ struct StepLine {
     std::string values; ///< "d(u,v) = 0.93": of the names in it that have one; each is said where it stands first
 };
 
+/// The lines of the step alone; what is left out before, between and after them is a line "..." each. All lines, where none is of the step.
+std::vector<StepLine> linesOfStep(const std::vector<StepLine>& lines);
+
 /// Lines that follow each other in one file: those of the step, and a few around them.
 struct SourcePiece {
     std::string file; ///< relative to the project

@@ -60,7 +60,8 @@ Title titleOf(const WindowState& ui, int pane) {
         title.view = "compared: its wrong pixels";
         title.shortView = "compared";
     } else if (state.stage.isPass) {
-        title.view = title.shortView = "after a step";
+        title.view = "after: " + std::string(passInfo(info.passes, state.stage.id).title);
+        title.shortView = "after a step";
     } else if (state.stage.ofAnyLight().isPicture()) {
         title.view = "the finished picture";
         title.shortView = "finished";

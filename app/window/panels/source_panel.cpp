@@ -18,6 +18,8 @@ namespace {
 // Most lines of the sources have no more columns than this; longer ones go on in the next row.
 constexpr float kColumns = 84;
 constexpr float kLargestListing = 0.5f; ///< of the window's width: the picture is what the step is about
+constexpr float kMostPseudocode = 0.3f; ///< of the panel's height
+constexpr float kBetweenLinesEm = 0.12f;
 constexpr std::size_t kNumberColumns = 4, kHangingIndent = 4, kFewestColumns = 12;
 
 constexpr ImU32 kCurrent = IM_COL32(0xE6, 0x9F, 0x00, 0x38); ///< behind the lines of the step: the accent, faintly
@@ -86,6 +88,13 @@ public:
             row(values, line.isCurrent && marks, 0, kValues);
     }
 
+    [[nodiscard]] std::size_t count(const std::vector<picture::StepLine>& lines) const {
+        std::size_t rows = 0;
+        for (const picture::StepLine& line : lines)
+            rows += rowsOf(line.text, columns_).size();
+        return rows;
+    }
+
 private:
     void row(const std::string& text, bool isCurrent, int number, ImU32 color) const {
         const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -118,7 +127,7 @@ void part(const Theme& theme, const std::string& title, const std::vector<pictur
     if (lines.empty()) return;
     heading(theme, title);
     ImGui::PushFont(theme.code);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, std::round(theme.em * 0.12f)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, std::round(theme.em * kBetweenLinesEm)});
     const Rows rows(numbered);
     const std::size_t indent = numbered ? commonIndent(lines) : 0;
     for (picture::StepLine line : lines) {
@@ -128,6 +137,14 @@ void part(const Theme& theme, const std::string& title, const std::vector<pictur
     ImGui::PopStyleVar();
     ImGui::PopFont();
     ImGui::Spacing();
+}
+
+/// Of a text without numbers, in pixels.
+float heightOf(const Theme& theme, const std::vector<picture::StepLine>& lines) {
+    ImGui::PushFont(theme.code);
+    const float rows = static_cast<float>(Rows(false).count(lines));
+    ImGui::PopFont();
+    return rows * (theme.codeSize + std::round(theme.em * kBetweenLinesEm));
 }
 
 } // namespace
@@ -168,7 +185,9 @@ void SourcePanel::draw(WindowState& ui, const Area& area, const Theme& theme) {
         ImGui::SetScrollY(ImGui::GetScrollY() + static_cast<float>(ui.requests.scrollSource * area.size.y) / 2);
     ui.requests.scrollSource = 0;
     part(theme, "Formula", shown_.formula, false, false);
-    part(theme, "Pseudocode", shown_.pseudocode, false, true);
+    // A long procedure would leave the step's own source below the panel's end: then it is those lines of it that the step carries out.
+    const bool isLong = heightOf(theme, shown_.pseudocode) > kMostPseudocode * static_cast<float>(area.size.y);
+    part(theme, "Pseudocode", isLong ? picture::linesOfStep(shown_.pseudocode) : shown_.pseudocode, false, true);
     for (const picture::SourcePiece& piece : shown_.pieces)
         part(theme, piece.file, piece.lines, true, true);
     ImGui::PushTextWrapPos();
