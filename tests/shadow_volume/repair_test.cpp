@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "techniques/foundation/trace/judge/exact_visibility.h"
@@ -19,10 +20,17 @@ using trace::Visibility;
 
 CountedPart emptyPart(ivec2 pictureSize, ivec2 corner, ivec2 size) {
     const auto pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-    return {pictureSize, corner, size, std::vector<std::uint8_t>(pixels, 0), std::vector<float>(pixels, 0.5f)};
+    return {pictureSize, corner, size, std::vector<std::uint32_t>(pixels, 0x800000u << 8)};
 }
 
-PixelMask nothing(const CountedPart& part) { return PixelMask(part.counted.size(), 0); }
+PixelMask nothing(const CountedPart& part) { return PixelMask(part.words.size(), 0); }
+
+void setCounted(CountedPart& part, std::size_t index, bool counted) {
+    part.words[index] = (part.words[index] & ~0xffu) | (counted ? 3u : 0u);
+}
+void setDepth(CountedPart& part, std::size_t index, double depth) {
+    part.words[index] = (part.words[index] & 0xffu) | static_cast<std::uint32_t>(std::lround(depth * 0xffffff)) << 8;
+}
 
 /// The sentence in repair.h, word by word.
 bool differs(const CountedPart& part, ivec2 pixel) {
@@ -31,7 +39,7 @@ bool differs(const CountedPart& part, ivec2 pixel) {
         for (int dx = -1; dx <= 1; ++dx) {
             const ivec2 other = pixel + ivec2(dx, dy), inPicture = part.corner + other;
             if (part.holds(other)) {
-                if (part.counted[part.index(other)] != part.counted[part.index(pixel)]) return true;
+                if (part.isCounted(part.index(other)) != part.isCounted(part.index(pixel))) return true;
             } else if (inPicture.x >= 0 && inPicture.y >= 0 && inPicture.x < part.pictureSize.x &&
                        inPicture.y < part.pictureSize.y) {
                 return true; // drawn by somebody else
@@ -48,10 +56,10 @@ TEST(Repair, PixelsThatDifferAreFoundAndNoOthers) {
             for (const ivec2 beyond : {ivec2(0), ivec2(5, 0), ivec2(0, 1)})
                 for (const double dark : {0.0, 0.03, 0.5, 1.0}) {
                     CountedPart part = emptyPart(corner + size + beyond, corner, size);
-                    for (std::uint8_t& bit : part.counted)
-                        bit = std::bernoulli_distribution(dark)(random);
-                    for (float& depth : part.depth)
-                        depth = std::bernoulli_distribution(0.1)(random) ? 1.0f : 0.5f;
+                    for (std::size_t i = 0; i < part.words.size(); ++i) {
+                        setCounted(part, i, std::bernoulli_distribution(dark)(random));
+                        setDepth(part, i, std::bernoulli_distribution(0.1)(random) ? 1 : 0.5);
+                    }
                     PixelMask mask = nothing(part);
                     markDiffering(part, mask);
                     for (int y = 0; y < size.y; ++y)
@@ -104,7 +112,8 @@ TEST(Repair, EveryPixelThatAnEdgeTouchesIsMarkedAndFewOthers) {
     const Edges edges;
     for (const auto& [corner, size] : {std::pair(ivec2(0), ivec2(48, 36)), std::pair(ivec2(11, 7), ivec2(20, 13))}) {
         CountedPart part = emptyPart({48, 36}, corner, size);
-        std::ranges::fill(part.depth, 0.99999f); // behind all edges
+        for (std::size_t i = 0; i < part.words.size(); ++i)
+            setDepth(part, i, 0.99999); // behind all edges
         int wrong = 0, touched = 0;
         for (std::size_t e = 0; e < edges.edges.size(); ++e) {
             Edges one = edges;
@@ -128,7 +137,7 @@ TEST(Repair, EdgesBehindWhatIsSeenAreLeftOut) {
     CountedPart part = emptyPart({48, 36}, {0, 0}, {48, 36});
     for (int y = 0; y < 36; ++y)
         for (int x = 0; x < 48; ++x)
-            part.depth[part.index({x, y})] = x < 24 ? 0.97f : 1.0f; // a wall at 3.3 m, and nothing
+            setDepth(part, part.index({x, y}), x < 24 ? 0.97 : 1); // a wall at 3.3 m, and nothing
     PixelMask mask = nothing(part);
     markEdges(part, edges.mesh, edges.edges, edges.clipFromMesh, mask);
     PixelMask before = nothing(part), any = nothing(part);
@@ -158,21 +167,27 @@ protected:
         tracer_.advance(scene_, std::chrono::steady_clock::time_point::max());
         for (int y = 0; y < kSize.y; ++y)
             for (int x = 0; x < kSize.x; ++x)
-                truth_.push_back(judge_.at(scene_->camera, dvec2(x, y) + 0.5, kSize, 0));
+                truth_[part_.index({x, y})] = judge_.at(scene_->camera, dvec2(x, y) + 0.5, kSize, 0);
         for (std::size_t i = 0; i < truth_.size(); ++i) {
-            part_.counted[i] = truth_[i] == Visibility::shadowed;
-            part_.depth[i] = truth_[i] == Visibility::noSurface ? 1.0f : 0.5f;
+            setCounted(part_, i, truth_[i] == Visibility::shadowed);
+            setDepth(part_, i, truth_[i] == Visibility::noSurface ? 1 : 0.5);
         }
     }
-    [[nodiscard]] Repair decided(const PixelMask& mask) const {
-        return decide(part_, mask, tracer_, scene_->camera, 0);
+    [[nodiscard]] Repair decided(PixelMask mask) const { return decide(part_, mask, tracer_, scene_->camera, 0); }
+    /// 1 where the bit has to be turned over.
+    static PixelMask flipsOf(const Repair& repair, const CountedPart& part) {
+        PixelMask flips = nothing(part);
+        for (const ivec2& pixel : repair.flips)
+            ++flips[part.index(pixel - part.corner)];
+        return flips;
     }
     /// The bits with those turned over that repair wants turned over, where they matter.
     [[nodiscard]] int wrongAfter(const Repair& repair) const {
         int wrong = 0;
+        const PixelMask flips = flipsOf(repair, part_);
         for (std::size_t i = 0; i < truth_.size(); ++i)
             if (truth_[i] == Visibility::lit || truth_[i] == Visibility::shadowed)
-                wrong += ((part_.counted[i] != 0) != (repair.flips[i] != 0)) != (truth_[i] == Visibility::shadowed);
+                wrong += (part_.isCounted(i) != (flips[i] != 0)) != (truth_[i] == Visibility::shadowed);
         return wrong;
     }
 
@@ -180,20 +195,21 @@ protected:
     trace::ExactVisibility judge_;
     trace::SceneTracer tracer_;
     CountedPart part_;
-    std::vector<Visibility> truth_;
+    std::vector<Visibility> truth_ = std::vector<Visibility>(part_.words.size()); ///< in the order of the part
 };
 
 TEST_F(Decided, WhatIsRightStays) {
     const Repair repair = decided(PixelMask(truth_.size(), 1));
-    EXPECT_EQ(repair.lookedAt, truth_.size());
-    EXPECT_EQ(repair.changed, 0u);
+    EXPECT_EQ(repair.lookedAt.size(), truth_.size());
+    EXPECT_EQ(repair.changed.size(), 0u);
     EXPECT_EQ(wrongAfter(repair), 0);
     EXPECT_GT(std::ranges::count(truth_, Visibility::lit), 500);
     EXPECT_GT(std::ranges::count(truth_, Visibility::shadowed), 50);
     // Those turned away are dark now, whatever was counted there.
+    const PixelMask flips = flipsOf(repair, part_);
     for (std::size_t i = 0; i < truth_.size(); ++i)
         if (truth_[i] == Visibility::turnedAway) {
-            EXPECT_EQ(repair.flips[i], 255);
+            EXPECT_EQ(flips[i], 1);
         }
 }
 
@@ -204,23 +220,22 @@ TEST_F(Decided, AFaultIsFollowedAsFarAsItReaches) {
     for (int y = lower.y; y < upper.y; ++y)
         for (int x = lower.x; x < upper.x; ++x) {
             const std::size_t i = part_.index({x, y});
-            part_.counted[i] ^= 1;
+            setCounted(part_, i, !part_.isCounted(i));
             turned += truth_[i] == Visibility::lit || truth_[i] == Visibility::shadowed;
         }
     PixelMask mask = nothing(part_);
     mask[part_.index({40, 48})] = 1;
     const Repair repair = decided(mask);
     EXPECT_EQ(turned, 300);
-    EXPECT_EQ(repair.changed, 300u);
-    EXPECT_EQ(repair.lookedAt, 22u * 17u); // and one more around it, where it ends
+    EXPECT_EQ(repair.changed.size(), 300u);
+    EXPECT_EQ(repair.lookedAt.size(), 22u * 17u); // and one more around it, where it ends
     EXPECT_EQ(wrongAfter(repair), 0);
-    EXPECT_EQ(std::ranges::count(repair.pixels, Repaired::changed), 300);
 }
 
 TEST_F(Decided, PixelsBesideABlockOfRaysAndAloneGetOneAnswer) {
     // The same picture in odd parts, so that other pixels share a block: same bits.
-    for (std::uint8_t& bit : part_.counted)
-        bit ^= 1;
+    for (std::size_t i = 0; i < part_.words.size(); ++i)
+        setCounted(part_, i, !part_.isCounted(i));
     const Repair all = decided(PixelMask(truth_.size(), 1));
     EXPECT_EQ(wrongAfter(all), 0);
     const CountedPart whole = part_;
@@ -229,19 +244,21 @@ TEST_F(Decided, PixelsBesideABlockOfRaysAndAloneGetOneAnswer) {
         CountedPart part = emptyPart(kSize, {5, 3}, {70, 50});
         for (int y = 0; y < part.size.y; ++y)
             for (int x = 0; x < part.size.x; ++x)
-                part.counted[part.index({x, y})] = whole.counted[whole.index(part.corner + ivec2(x, y))];
-        std::ranges::fill(part.depth, 1.0f); // nothing is followed
+                setCounted(part, part.index({x, y}), whole.isCounted(whole.index(part.corner + ivec2(x, y))));
+        for (std::size_t i = 0; i < part.words.size(); ++i)
+            setDepth(part, i, 1); // nothing is followed
         PixelMask marked = nothing(part);
         for (std::size_t i = 0; i < marked.size(); i += static_cast<std::size_t>(keep)) {
             marked[i] = 1;
             ++asked;
         }
         const Repair repair = decide(part, marked, tracer_, scene_->camera, 0);
-        EXPECT_EQ(repair.lookedAt, asked);
+        EXPECT_EQ(repair.lookedAt.size(), asked);
+        const PixelMask flips = flipsOf(repair, part), allFlips = flipsOf(all, whole);
         for (int y = 0; y < part.size.y; ++y)
             for (int x = 0; x < part.size.x; ++x)
                 if (marked[part.index({x, y})]) {
-                    EXPECT_EQ(repair.flips[part.index({x, y})], all.flips[whole.index(part.corner + ivec2(x, y))]);
+                    EXPECT_EQ(flips[part.index({x, y})], allFlips[whole.index(part.corner + ivec2(x, y))]);
                 }
     }
 }

@@ -57,8 +57,8 @@ constexpr double kDepthSlack = 1e-6;
 
 /// The largest depth of a pixel and its neighbours, so that a surface seen edge-on does not hide its own edge.
 float farthestAround(const CountedPart& part, ivec2 pixel) {
-    float farthest = part.depth[part.index(pixel)];
-    forEachNeighbour(part, pixel, [&](ivec2 other) { farthest = std::max(farthest, part.depth[part.index(other)]); });
+    float farthest = part.depth(part.index(pixel));
+    forEachNeighbour(part, pixel, [&](ivec2 other) { farthest = std::max(farthest, part.depth(part.index(other))); });
     return farthest;
 }
 
@@ -85,37 +85,64 @@ void markTouched(const CountedPart& part, SegmentPx segment, PixelMask& marked) 
     }
 }
 
-/// The marked pixels, counted in the whole picture.
+/// The marked pixels, counted in the whole picture, those of a block of rays next to each other.
 std::vector<ivec2> inPicture(const CountedPart& part, const PixelMask& marked) {
+    constexpr int kBlock = trace::SceneTracer::kBlock;
     std::vector<ivec2> pixels;
-    for (int y = 0; y < part.size.y; ++y)
-        for (int x = 0; x < part.size.x; ++x)
-            if (marked[part.index({x, y})]) pixels.push_back(part.corner + ivec2(x, y));
+    for (int y = 0, begin = 0; y < part.size.y; ++y) {
+        const std::uint8_t* const row = &marked[part.index({0, y})];
+        const std::uint8_t* const end = row + part.size.x;
+        for (const std::uint8_t* at = std::find(row, end, 1); at != end; at = std::find(at + 1, end, 1))
+            pixels.push_back(part.corner + ivec2(static_cast<int>(at - row), y));
+        const int below = part.corner.y + y + 1;
+        if (below % kBlock != 0 && y + 1 < part.size.y) continue; // the rows of blocks go on
+        std::ranges::stable_sort(pixels.begin() + begin, pixels.end(), {}, [](ivec2 pixel) { return pixel.x / kBlock; });
+        begin = static_cast<int>(pixels.size());
+    }
     return pixels;
+}
+
+/// 1 for each pixel of a row that is dark.
+void readBits(const CountedPart& part, int y, std::span<std::uint8_t> bits) {
+    const std::uint32_t* const words = &part.words[part.index({0, y})];
+    for (std::size_t x = 0; x < bits.size(); ++x)
+        bits[x] = (words[x] & part.countMask) != 0 ? 1 : 0;
 }
 
 } // namespace
 
 void markDiffering(const CountedPart& part, PixelMask& marked) {
-    // Three pixels in a column agree when their sum is 0 or 3; so do nine in a square when it is 0 or 9. The sum of each
-    // column is computed once, and used by the three squares that it belongs to.
+    // Three pixels in a column agree when their sum is 0 or 3; so do nine in a square when it is 0 or 9. The sum of each column is
+    // computed once, and used by the three squares that it belongs to. Where a square reaches beyond the picture, its middle stands
+    // for what is missing. Plain loops over bytes, which compilers turn into vector instructions.
     const auto width = static_cast<std::size_t>(part.size.x);
-    std::vector<std::uint8_t> columns(width);
+    std::vector<std::uint8_t> above(width), row(width), below(width), columns(width + 2), differs(width);
+    readBits(part, 0, row);
+    above = row;
     const ivec2 lower = part.corner, upper = part.pictureSize - part.corner - part.size; // pixels beyond the part
     for (int y = 0; y < part.size.y; ++y) {
-        const std::uint8_t* row = &part.counted[part.index({0, y})];
-        const std::uint8_t* above = y > 0 ? row - width : row;
-        const std::uint8_t* below = y + 1 < part.size.y ? row + width : row;
+        if (y + 1 < part.size.y)
+            readBits(part, y + 1, below);
+        else
+            below = row;
         for (std::size_t x = 0; x < width; ++x)
-            columns[x] = static_cast<std::uint8_t>(above[x] + row[x] + below[x]);
-        const bool edgeRow = (y == 0 && lower.y > 0) || (y + 1 == part.size.y && upper.y > 0);
-        const float* depth = &part.depth[part.index({0, y})];
-        std::uint8_t* mark = &marked[part.index({0, y})];
+            columns[x + 1] = static_cast<std::uint8_t>(above[x] + row[x] + below[x]);
+        columns[0] = columns[1];
+        columns[width + 1] = columns[width];
+        std::uint8_t any = 0;
         for (std::size_t x = 0; x < width; ++x) {
-            const int sum = columns[x > 0 ? x - 1 : x] + columns[x] + columns[x + 1 < width ? x + 1 : x];
-            const bool edge = edgeRow || (x == 0 && lower.x > 0) || (x + 1 == width && upper.x > 0);
-            mark[x] |= static_cast<std::uint8_t>(depth[x] < 1 && (edge || (sum != 0 && sum != 9)));
+            const auto sum = static_cast<std::uint8_t>(columns[x] + columns[x + 1] + columns[x + 2]);
+            differs[x] = sum != 0 && sum != 9 ? 1 : 0;
+            any |= differs[x];
         }
+        if ((y == 0 && lower.y > 0) || (y + 1 == part.size.y && upper.y > 0)) std::ranges::fill(differs, any = 1);
+        if (lower.x > 0) differs.front() = any = 1;
+        if (upper.x > 0) differs.back() = any = 1;
+        const std::size_t first = part.index({0, y});
+        for (std::size_t x = 0; any != 0 && x < width; ++x)
+            marked[first + x] |= static_cast<std::uint8_t>(differs[x] != 0 && part.hasSurface(first + x));
+        std::swap(above, row);
+        std::swap(row, below);
     }
 }
 
@@ -128,41 +155,33 @@ void markEdges(const CountedPart& part, const scene::Mesh& mesh, std::span<const
         if (const auto segment = projected(clip(edge.a), clip(edge.b), part)) markTouched(part, *segment, marked);
 }
 
-Repair decide(const CountedPart& part, const PixelMask& marked, const trace::SceneTracer& tracer,
-              const scene::Camera& camera, int light) {
+Repair decide(const CountedPart& part, PixelMask& marked, const trace::SceneTracer& tracer, const scene::Camera& camera, int light) {
     using enum trace::Visibility;
     const trace::EyeRays rays = tracer.eyeRays(camera, part.pictureSize);
     Repair repair;
-    repair.pixels.assign(marked.size(), Repaired::notLookedAt);
-    repair.flips.assign(marked.size(), 0);
     std::vector<ivec2> pixels = inPicture(part, marked);
     while (!pixels.empty()) {
-        trace::sortByBlock(pixels);
-        repair.lookedAt += pixels.size();
-        for (const ivec2& pixel : pixels)
-            repair.pixels[part.index(pixel - part.corner)] = Repaired::confirmed;
         const std::vector<trace::Visibility> answers =
             trace::visibilitiesOf(pixels, tracer, rays, part.pictureSize, light);
         std::vector<ivec2> next;
-        PixelMask waiting(repair.pixels.size(), 0);
         // [anchor: decide-with-rays]
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             const ivec2 inPart = pixels[i] - part.corner;
-            const bool dark = part.counted[part.index(inPart)] != 0;
+            const bool dark = part.isCounted(part.index(inPart));
             if (answers[i] == noSurface || dark == (answers[i] != lit)) continue;
-            repair.flips[part.index(inPart)] = 255;
-            repair.anyFlipped = true;
+            repair.flips.push_back(pixels[i]);
             if (answers[i] == turnedAway) continue;
-            repair.pixels[part.index(inPart)] = Repaired::changed;
-            ++repair.changed;
+            repair.changed.push_back(pixels[i]);
             forEachNeighbour(part, inPart, [&](ivec2 other) {
                 const std::size_t index = part.index(other);
-                if (!part.hasSurface(index) || repair.pixels[index] != Repaired::notLookedAt || waiting[index]) return;
-                waiting[index] = 1;
+                if (!part.hasSurface(index) || marked[index]) return;
+                marked[index] = 1;
                 next.push_back(part.corner + other);
             });
         }
+        repair.lookedAt.insert(repair.lookedAt.end(), pixels.begin(), pixels.end());
         pixels = std::move(next);
+        trace::sortByBlock(pixels);
     }
     return repair;
 }

@@ -16,23 +16,30 @@
 
 namespace shadowlab::shadow_volume {
 
-/// What was counted in a rectangle of a picture: one entry per pixel of the rectangle, rows from the top.
+/// What was counted in a rectangle of a picture.
 struct CountedPart {
     ivec2 pictureSize{0}, corner{0}, size{0}; ///< pixels; the corner is the upper left one
-    std::vector<std::uint8_t> counted;        ///< 1: the count is not zero, the pixel is dark
-    std::vector<float> depth;                 ///< as in a depth buffer, 0..1; 1: no surface covers the pixel's centre
+    /// As a target's depth and stencil are read: 24 bits of depth, then 8 of the count, rows from below.
+    std::vector<std::uint32_t> words;
+    std::uint32_t countMask = 0xff; ///< the bits of the count that are kept
 
+    /// `inPart`: pixels from the part's upper left corner.
     [[nodiscard]] std::size_t index(ivec2 inPart) const {
-        return static_cast<std::size_t>(inPart.y) * static_cast<std::size_t>(size.x) +
+        return static_cast<std::size_t>(size.y - 1 - inPart.y) * static_cast<std::size_t>(size.x) +
                static_cast<std::size_t>(inPart.x);
     }
-    [[nodiscard]] bool hasSurface(std::size_t index) const { return depth[index] < 1; }
+    /// The count is not zero: the pixel is dark.
+    [[nodiscard]] bool isCounted(std::size_t index) const { return (words[index] & countMask) != 0; }
+    /// As in a depth buffer, 0..1; 1: no surface covers the pixel's centre.
+    [[nodiscard]] float depth(std::size_t index) const { return static_cast<float>(words[index] >> 8) / kNoSurface; }
+    [[nodiscard]] bool hasSurface(std::size_t index) const { return words[index] >> 8 != kNoSurface; }
     [[nodiscard]] bool holds(ivec2 inPart) const {
         return inPart.x >= 0 && inPart.y >= 0 && inPart.x < size.x && inPart.y < size.y;
     }
+    static constexpr std::uint32_t kNoSurface = 0xffffff;
 };
 
-/// One byte per pixel of a CountedPart.
+/// One byte per pixel of a CountedPart, 0 or 1, in the same order.
 using PixelMask = std::vector<std::uint8_t>;
 
 /// Marks each pixel that has a surface and of whose eight neighbours one has another bit; neighbours without a surface have
@@ -44,21 +51,18 @@ void markDiffering(const CountedPart& part, PixelMask& marked);
 void markEdges(const CountedPart& part, const scene::Mesh& mesh, std::span<const SilhouetteEdge> edges,
                const dmat4& clipFromMesh, PixelMask& marked);
 
-/// The result for one pixel of the part.
-enum class Repaired : std::uint8_t { notLookedAt, confirmed, changed };
-
+/// Pixels of the picture, counted from its upper left corner.
 struct Repair {
-    std::vector<Repaired> pixels;
-    PixelMask flips;         ///< 255 where the bit in the stencil has to be inverted
-    bool anyFlipped = false; ///< true if there is such a pixel
-    std::size_t lookedAt = 0, changed = 0;
+    std::vector<ivec2> lookedAt; ///< what was decided
+    std::vector<ivec2> changed;  ///< of those: the count was wrong
+    std::vector<ivec2> flips;    ///< the bit in the stencil has to be inverted
 };
 
 /// Decides the marked pixels for a light, and then the neighbours of those that were wrong, until no more are found: errors
 /// come in clusters. A pixel is lit or not as the nearest triangle on its eye ray is; where that faces away from the light,
 /// the bit becomes dark; the picture seldom changes by that, and it does not count as changed. Where the eye ray meets
-/// nothing, the bit stays as it is. The tracer has the scene that was counted.
-Repair decide(const CountedPart& part, const PixelMask& marked, const trace::SceneTracer& tracer,
+/// nothing, the bit stays as it is. The tracer has the scene that was counted. Afterwards all that were looked at are marked.
+Repair decide(const CountedPart& part, PixelMask& marked, const trace::SceneTracer& tracer,
               const scene::Camera& camera, int light);
 
 } // namespace shadowlab::shadow_volume

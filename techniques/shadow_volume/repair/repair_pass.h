@@ -53,12 +53,15 @@ public:
 private:
     const Repair& decided(const Frame& frame, int light, std::span<const CountedVolume> volumes,
                           const StencilRule& stencil);
+    void readCount(const Frame& frame, const StencilRule& stencil);
     void writeBits(const Frame& frame, const Repair& repair, const StencilRule& stencil) const;
 
     trace::SceneTracer tracer_;
+    CountedPart part_;              ///< what was read last; its memory, and that of the marks, is used again
+    PixelMask marked_;
     std::map<int, Repair> decided_; ///< per light
     std::set<int> told_;            ///< lights whose counters this frame has
-    gl::Program flip_{"fullscreen.vert", "shadow_volume/marked.frag"};
+    gl::Program flip_{"shadow_volume/pixel.vert", "shadow_volume/pixel.frag"};
 };
 
 } // namespace shadowlab::shadow_volume
