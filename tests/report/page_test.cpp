@@ -7,6 +7,8 @@
 #include <regex>
 #include <set>
 
+#include "app/report/page/chart.h"
+#include "app/report/page/chart_legend.h"
 #include "tests/report/made_up.h"
 
 namespace shadowlab::report {
@@ -106,6 +108,38 @@ TEST(ReportPageTest, EveryPictureIsInItOnceAndComesBackWhole) {
     EXPECT_GE(found.size(), 10u);
     EXPECT_EQ(found, expected);
     EXPECT_EQ(countOf(page, "<use href="), 120u);
+}
+
+// On a phone the chart's plot is cut out of its sheet; what else the sheet says stands below it as text.
+TEST(ReportPageTest, APhoneHasTheWholeLegendAsText) {
+    const Report report = madeReport();
+    const std::string page = htmlPage(report);
+    std::size_t from = 0;
+    int labels = 0, numbered = 0;
+    for (const Group& group : report.groups) {
+        from = page.find("<div class=\"phone-legend\">", from + 1);
+        ASSERT_NE(from, std::string::npos);
+        const std::string legend = page.substr(from, page.find("</div>", from) - from);
+        for (const Point& point : group.points) {
+            EXPECT_NE(legend.find(point.key.technique), std::string::npos) << point.key.technique;
+            if (point.key.varies.empty() || !hasPlace(point)) continue;
+            EXPECT_NE(legend.find("<em>" + point.key.sweep + "</em>"), std::string::npos) << "a label in the chart";
+            ++labels;
+        }
+        const std::size_t list = std::min(legend.find("<ol>"), legend.size());
+        EXPECT_EQ(countOf(legend.substr(list), "<li>"), frontOf(group).size()) << "the numbers in the chart";
+        numbered += static_cast<int>(frontOf(group).size());
+    }
+    EXPECT_GE(labels, 10);
+    EXPECT_GE(numbered, 2);
+    // The plot lies on the sheet, between the title above it and the legends beside it and below.
+    const Chart chart = chartOf(report.groups[0], report.size);
+    for (const Chart::Spot& spot : chart.spots) {
+        const dvec2 place = (spot.place - chart.plotCorner) / chart.plotSize;
+        EXPECT_TRUE(place.x > 0 && place.x < 1 && place.y > 0 && place.y < 1) << spot.point;
+    }
+    EXPECT_LT(chart.plotSize.x, 0.75 * kChartWidth) << "else its numbers are too small on a phone";
+    EXPECT_EQ(countOf(page, "<div class=\"plot\" style=\"--wide: "), report.groups.size());
 }
 
 TEST(ReportPageTest, AsksNoNetwork) {

@@ -22,6 +22,7 @@ using drawing::Drawing;
 // The sheet, in pixels. What stands beside the axes is kChartType high; the left margin holds the words "wrong pixel".
 constexpr double kLeft = 160, kRight = 860, kTop = 140, kBottom = 580, kZeroBottom = 644;
 constexpr double kLegendLeft = 884, kMargin = 16;
+constexpr double kAxisTitleTop = 94, kAxesEnd = kZeroBottom + 82; ///< what is written at the axes lies between
 constexpr double kZero = 0.5 * (kBottom + kZeroBottom);
 constexpr double kRoomX = 62, kRoomY = 30; ///< that the numbers of two ticks need: "0.005" is 60 pixels wide
 constexpr double kRadius = 11;             ///< of markers
@@ -227,7 +228,7 @@ Chart chartOf(const Group& group, ivec2 size) {
     writer.notes();
     drawLegend(writer.drawing(), group, font, {kLegendLeft, kTop}, kLegendWidth);
     drawFrontKey(writer.drawing(), group, font, keyPlace, kChartWidth - 2 * kMargin);
-    return {std::move(writer.drawing()), std::move(spots)};
+    return {std::move(writer.drawing()), std::move(spots), {0, kAxisTitleTop}, {kLegendLeft, kAxesEnd - kAxisTitleTop}};
 }
 
 std::string costErrorChart(const Group& group, ivec2 size) {

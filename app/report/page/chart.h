@@ -16,6 +16,7 @@ struct Chart {
         dvec2 place;       ///< of the middle of its marker, in pixels of the sheet
     };
     std::vector<Spot> spots; ///< in the order of the points; those that have no place are left out
+    dvec2 plotCorner{0.0}, plotSize{0.0}; ///< of the axes with what is written at them, without title and legends
 };
 
 /// Printed 16 cm wide, the sheet's smallest letters are 8 points high: 22 of its 1200 pixels.

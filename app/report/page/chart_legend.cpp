@@ -20,7 +20,10 @@ const drawing::TextStyle kBold{kChartType, drawing::Anchor::start, true, false, 
 
 const drawing::TextStyle kItalic{kChartType, drawing::Anchor::start, false, true, "#000000", false};
 
-/// The titles that a technique's sweeps have in the chart, in the order of their points.
+std::string unitOf(const Group& group) { return group.truth == judge::TruthOf::area ? "" : " px"; }
+
+} // namespace
+
 std::vector<std::string> sweepsOf(const Group& group, const std::string& technique) {
     std::vector<std::string> titles;
     for (const Point& point : group.points)
@@ -30,9 +33,11 @@ std::vector<std::string> sweepsOf(const Group& group, const std::string& techniq
     return titles;
 }
 
-std::string unitOf(const Group& group) { return group.truth == judge::TruthOf::area ? "" : " px"; }
-
-} // namespace
+std::string frontValues(const Group& group, const Point& point) {
+    const std::string error =
+        isInZeroRow(point) ? "no wrong pixel" : "error " + threeDigits(point.errors.shown()) + unitOf(group);
+    return threeDigits(point.costs->frame.median) + " ms, " + error;
+}
 
 bool hasPlace(const Point& point) {
     if (!point.costs || !std::isfinite(point.costs->frame.median) || point.costs->frame.median <= 0) return false;
@@ -115,9 +120,7 @@ double drawFrontKey(drawing::Drawing& drawing, const Group& group, const image::
     int number = 0;
     for (const std::size_t index : front) {
         const Point& point = group.points[index];
-        const std::string error =
-            isInZeroRow(point) ? "no wrong pixel" : "error " + threeDigits(point.errors.shown()) + unitOf(group);
-        const std::string cost = threeDigits(point.costs->frame.median) + " ms, " + error;
+        const std::string cost = frontValues(group, point);
         place.y += kLine;
         drawing.text({place.x + 30, place.y}, std::to_string(++number),
                      {kChartType, drawing::Anchor::end, true, false, "#000000", false});

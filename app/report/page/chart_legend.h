@@ -15,6 +15,11 @@ bool hasPlace(const Point& point);
 /// Is it in the row of those without an error?
 bool isInZeroRow(const Point& point);
 
+/// The titles that a technique's sweeps have in the chart, in the order of their points.
+std::vector<std::string> sweepsOf(const Group& group, const std::string& technique);
+/// "1.2 ms, error 0.034 px"
+std::string frontValues(const Group& group, const Point& point);
+
 /// Writes techniques and lines in a column, `width` pixels wide, from `corner` down. Returns where it ends.
 double drawLegend(drawing::Drawing& drawing, const Group& group, const image::Font& font, dvec2 corner, double width);
 

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "app/drawing/markup.h"
 #include "app/report/page/chart.h"
 #include "app/report/page/log_axis.h"
+#include "app/report/page/phone_legend.h"
 #include "app/report/page/technique_mark.h"
 
 namespace shadowlab::report {
@@ -38,16 +40,6 @@ std::string cell(const std::optional<double>& value, const std::string& text) {
 }
 std::string cell(const std::optional<double>& value) { return cell(value, value ? threeDigits(*value) : ""); }
 
-std::string markOf(const TechniqueMark& mark, bool isOpen) {
-    drawing::Drawing drawing({24, 24});
-    drawMark(drawing, dvec2(12), mark, 10, isOpen);
-    const std::string document = drawing.document("");
-    // What surrounds a drawing is for files: its letters, its paper, its name.
-    const std::size_t paper = document.find("<rect"), begin = document.find('\n', paper) + 1;
-    return "<svg class=\"mark\" viewBox=\"0 0 24 24\" aria-hidden=\"true\">" +
-           document.substr(begin, document.rfind("</svg>") - begin) + "</svg>";
-}
-
 std::string settingsOf(const PointKey& key) {
     std::string text;
     for (const std::string& setting : key.settings)
@@ -71,8 +63,14 @@ std::string chartMarkup(const Report& report, std::size_t number) {
                threeDigits(point.errors.shown()) + "</title><circle cx=\"" + x + "\" cy=\"" + y +
                "\" r=\"14\" fill=\"#ffffff\" fill-opacity=\"0\"/></a>\n";
     }
-    return "<figure class=\"chart\">\n" + svg +
-           "</svg>\n<figcaption>The nearer to the lower left corner, the better. A marker leads to its row in the "
+    // In shares of the plot, by which a phone cuts it out of the sheet.
+    const dvec2 sheet = chart.drawing.size();
+    std::array<char, 160> place{};
+    std::snprintf(place.data(), place.size(), "--wide: %.5f; --left: %.5f; --top: %.5f; --shape: %.5f", sheet.x / chart.plotSize.x,
+                  chart.plotCorner.x / chart.plotSize.x, chart.plotCorner.y / chart.plotSize.y, chart.plotSize.x / chart.plotSize.y);
+    return "<figure class=\"chart\">\n<div class=\"plot\" style=\"" + std::string(place.data()) + "\">" + svg + "</svg></div>\n" +
+           phoneLegend(group) +
+           "<figcaption>The nearer to the lower left corner, the better. A marker leads to its row in the "
            "table "
            "below.</figcaption>\n</figure>\n";
 }

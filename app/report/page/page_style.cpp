@@ -34,6 +34,7 @@ td:not(.text) { white-space: nowrap }
 .mark { width: 1.1em; height: 1.1em; vertical-align: -.2em; margin-right: .3em }
 .chart { margin: .8rem 0; max-width: 1000px }
 .chart svg { width: 100%; height: auto; border: 1px solid #999 }
+.phone-legend { display: none }
 .spot:hover circle { stroke: #d55e00; stroke-width: 4px }
 .verdict { font-weight: bold }
 .verdict + .text { min-width: 18rem }
@@ -57,13 +58,18 @@ th[aria-sort=descending] button::after { content: ' ▼' }
 .open[aria-expanded=true]::before { content: '▾ ' }
 .told { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%) }
 .store { position: absolute; width: 0; height: 0; overflow: hidden }
-/* A phone: a chart is moved sideways in its own box, and a row of a table becomes a card, its cells below one another. Their names come
-   from the script; without it the table is moved sideways, too. */
+/* A phone: a chart's plot is as wide as the screen, and its legend is text below it; a row of a table becomes a card, its cells below one
+   another. Their names come from the script; without it the table is moved sideways. */
 @media screen and (max-width: 700px) {
   body { padding: 0 .8rem 2rem }
   h1 { font-size: 1.4rem }
-  .chart { overflow-x: auto }
-  .chart svg { min-width: 760px }
+  .plot { position: relative; overflow: hidden; aspect-ratio: var(--shape); border: 1px solid #999 }
+  .plot svg { position: absolute; width: calc(100% * var(--wide)); left: calc(-100% * var(--left)); top: calc(-100% * var(--top));
+    border: 0 }
+  .phone-legend { display: block; margin: .5rem 0; overflow-wrap: anywhere }
+  .phone-legend ul { list-style: none; margin: 0; padding: 0 }
+  .phone-legend ol { margin: .2rem 0; padding-left: 1.6rem }
+  .phone-legend .mark { position: static; width: 1.1em; border: 0 }
   .text.name { min-width: 9rem }
   .cards, .cards tbody, .cards tr, .cards th, .cards td { display: block; width: auto; min-width: 0 }
   .cards caption { display: block }
