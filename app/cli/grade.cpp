@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -105,7 +106,8 @@ const student::Family& chosenFamily(const GradeOptions& options, const student::
 
 std::string wrongText(const CaseResult& result) { return result.wrong ? std::to_string(*result.wrong) : "-"; }
 
-std::string sheetText(const Sheet& sheet, const std::string& picture) {
+/// `columns`: of the terminal that it has to fit; none: of a pipe.
+std::string sheetText(const Sheet& sheet, const std::string& picture, std::optional<std::size_t> columns) {
     std::string text = std::string(sheet.family->title) + ": " + sheet.candidate.technique + " (" +
                        sheet.candidate.plugin.filename().string() + ")\n\n";
     Rows rows{{"case", "wrong px", "limit", "points", "  idea"}};
@@ -114,7 +116,7 @@ std::string sheetText(const Sheet& sheet, const std::string& picture) {
                         std::to_string(result.points()) + "/" + std::to_string(result.which->points),
                         "  " + std::string(result.which->idea)});
     rows.push_back({"sum", "", "", std::to_string(sheet.points()) + "/" + std::to_string(sheet.mostPoints()), ""});
-    text += aligned(rows);
+    text += aligned(rows, columns);
     for (const CaseResult& result : sheet.results) {
         if (result.isRight()) continue;
         text += "\n" + std::string(result.which->id) + ": ";
@@ -129,7 +131,7 @@ std::string sheetText(const Sheet& sheet, const std::string& picture) {
         text += std::string(result.which->hint) + "\n";
     }
     if (!picture.empty()) text += "\nThe first failing case: " + picture + "\n";
-    return text;
+    return fitting(text, columns);
 }
 
 std::string sheetJson(const Sheet& sheet, const std::string& picture) {
@@ -174,7 +176,7 @@ int grade(const GradeOptions& options) {
     const Sheet sheet = student::grade(candidate, family, options.limits, [&](int count) { progress.done(count); });
     if (sheet.firstFailing.rgba.empty()) picture.clear();
     if (!picture.empty()) image::writeWhole(picture, image::encodePng(sheet.firstFailing));
-    print(options.json ? sheetJson(sheet, picture.string()) : sheetText(sheet, picture.string()));
+    print(options.json ? sheetJson(sheet, picture.string()) : sheetText(sheet, picture.string(), terminalColumns()));
     return sheet.points() == sheet.mostPoints() ? 0 : kNotAllRight;
 }
 

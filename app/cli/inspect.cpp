@@ -93,7 +93,7 @@ std::string meshLines(const InspectedMesh& mesh) {
     rows.push_back({"outward", yes(mesh.outward),
                     "if it is certain that nothing of it is inside out: front faces alone make its shadow volume"});
     rows.push_back({"holes", yes(mesh.report.hasHoles), "if an alpha map cuts holes into it"});
-    return aligned(rows) + "size: " + joined(mesh.sizeMetres, " x ") + " m\n";
+    return aligned(rows, terminalColumns()) + "size: " + joined(mesh.sizeMetres, " x ") + " m\n";
 }
 
 /// Several meshes: a row for each.
@@ -110,7 +110,7 @@ std::string meshTable(const std::vector<InspectedMesh>& meshes) {
         row.insert(row.end(), {yes(mesh.report.isClosed()), yes(mesh.outward), yes(mesh.report.hasHoles),
                                joined(mesh.sizeMetres, " x ")});
     }
-    return aligned(rows);
+    return aligned(rows, terminalColumns());
 }
 
 std::string sceneLines(const Inspection& inspection) {
@@ -119,13 +119,14 @@ std::string sceneLines(const Inspection& inspection) {
     for (const auto& [type, count] : content.lights)
         if (count > 0) lights += (lights.empty() ? "" : ", ") + std::to_string(count) + " " + type;
     const auto orNone = [](const std::string& text) { return text.empty() ? "none" : text; };
-    return aligned({{"objects", std::to_string(content.objects)},
+    const Rows rows{{"objects", std::to_string(content.objects)},
                     {"triangles", std::to_string(inspection.triangles)},
                     {"lights", orNone(lights)},
                     {"cameras", "1"},
                     {"materials", named(inspection.materials)},
                     {"cast no shadow", orNone(named(content.castNoShadow))},
-                    {"receive no shadow", orNone(named(content.receiveNoShadow))}});
+                    {"receive no shadow", orNone(named(content.receiveNoShadow))}};
+    return aligned(rows, terminalColumns());
 }
 
 /// What is odd about where, and how large, a mesh is.
@@ -162,7 +163,7 @@ std::string text(const Inspection& inspection) {
         const bool all = names.size() == inspection.meshes.size();
         rows.push_back({remark.technique, remark.sentence + (all ? "" : " [" + named(names) + "]")});
     }
-    if (!rows.empty()) text += "\nWhat that means\n" + aligned(rows);
+    if (!rows.empty()) text += "\nWhat that means\n" + aligned(rows, terminalColumns());
     const bool allClosed =
         std::ranges::all_of(inspection.meshes, [](const InspectedMesh& mesh) { return mesh.report.isClosed(); });
     if (!allClosed)
@@ -210,7 +211,7 @@ Json inspectionJson(const Inspection& inspection) {
 int inspect(const InspectOptions& options) {
     const Inspection inspection = inspectFile(options.file, options.allowed);
     print(options.json ? inspectionJson(inspection).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                       : text(inspection));
+                       : fitting(text(inspection), terminalColumns()));
     return 0;
 }
 

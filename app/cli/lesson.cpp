@@ -113,7 +113,7 @@ std::string table(const Lesson& lesson, const std::vector<MeasuredExpectation>& 
                         report::holdsAsExpected({measured[i]}) ? "as expected" : "NOT as expected"});
     }
     return lesson.text.title + ", " + std::to_string(lesson.size.x) + " x " + std::to_string(lesson.size.y) +
-           " pixels\n\n" + aligned(rows);
+           " pixels\n\n" + aligned(rows, terminalColumns());
 }
 
 Json boundJson(const course::Bound& bound) {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
+#include <sstream>
 
 #include <glad/gl.h>
 
@@ -24,6 +26,7 @@
 #include "app/window/actions.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/nearest_names.h"
+#include "techniques/foundation/scene/load/file_access.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/registry.h"
 #include "techniques/source_text.h"
@@ -175,10 +178,20 @@ Table quantitiesTable() {
     return table;
 }
 
+/// What a scene's file says first: the comment that it begins with, to the first blank line of it.
+std::string firstComment(const std::filesystem::path& file) {
+    std::string words;
+    std::istringstream lines(scene::readFile(file, scene::Limits{}.sceneFileBytes));
+    for (std::string line; std::getline(lines, line) && line.starts_with("// ");)
+        words += (words.empty() ? "" : " ") + line.substr(3);
+    return words;
+}
+
 Table scenesTable() {
-    Table table{{"name"}, {}};
-    for (const std::string& name : scene::builtInScenes(context::assetsRoot()))
-        table.rows.push_back({name});
+    Table table{{"name", "about"}, {}};
+    const std::filesystem::path assets = context::assetsRoot();
+    for (const std::string& name : scene::builtInScenes(assets))
+        table.rows.push_back({name, firstComment(assets / "scenes" / (name + ".json"))});
     return table;
 }
 
@@ -190,19 +203,27 @@ Table backendsTable() {
     return table;
 }
 
+struct DriverLimit {
+    const char* name;
+    GLenum which;
+    const char* unit;
+};
+constexpr std::array kDriverLimits{
+    DriverLimit{"driver-texture-side", GL_MAX_TEXTURE_SIZE, "texels"},
+    DriverLimit{"driver-texture-layers", GL_MAX_ARRAY_TEXTURE_LAYERS, "layers"},
+    DriverLimit{"driver-buffer-texture", GL_MAX_TEXTURE_BUFFER_SIZE, "texels"},
+    DriverLimit{"driver-sub-pixel", GL_SUBPIXEL_BITS, "bits"},
+};
+
 /// What the driver of the default context can hold; nothing, with a note, on a machine without graphics.
 void addDriverLimits(Table& table) {
     try {
         const std::unique_ptr<context::Context> context = context::createContext(context::Backend::automatic);
-        const auto limit = [&](const char* name, GLenum which, const char* unit) {
+        for (const DriverLimit& limit : kDriverLimits) {
             GLint value = 0;
-            glGetIntegerv(which, &value);
-            table.rows.push_back({name, std::to_string(value), unit});
-        };
-        limit("driver-texture-side", GL_MAX_TEXTURE_SIZE, "texels");
-        limit("driver-texture-layers", GL_MAX_ARRAY_TEXTURE_LAYERS, "layers");
-        limit("driver-buffer-texture", GL_MAX_TEXTURE_BUFFER_SIZE, "texels");
-        limit("driver-sub-pixel", GL_SUBPIXEL_BITS, "bits");
+            glGetIntegerv(limit.which, &value);
+            table.rows.push_back({limit.name, std::to_string(value), limit.unit});
+        }
     } catch (const Error& why) {
         note(std::string("the limits of the graphics driver are not known: ") + why.what());
     }
@@ -252,6 +273,7 @@ std::string tableJson(const std::string& what, const Table& table) {
 struct NamedTable {
     const char *name, *about;
     Table (*make)();
+    std::size_t (*length)() = nullptr; ///< of a table for which a graphics driver is asked, which takes its time
 };
 
 constexpr std::array kTables{
@@ -266,14 +288,16 @@ constexpr std::array kTables{
     NamedTable{"quantities", "what lessons measure", quantitiesTable},
     NamedTable{"keys", "of the window", keysTable},
     NamedTable{"plugins", "techniques of --plugin", pluginsTable},
-    NamedTable{"backends", "where OpenGL can come from, for --backend", backendsTable},
-    NamedTable{"limits", "of sizes and memory, for --limit", limitsTable},
+    NamedTable{"backends", "where OpenGL can come from, for --backend", backendsTable,
+               [] { return static_cast<std::size_t>(context::Backend::window); }}, // the last; the first, automatic, is none of its own
+    NamedTable{"limits", "of sizes and memory, for --limit", limitsTable,
+               [] { return picture::namedLimits().size() + kDriverLimits.size(); }},
 };
 
 Table overviewTable() {
     Table table{{"list", "entries", "what"}, {}};
     for (const NamedTable& one : kTables)
-        table.rows.push_back({one.name, std::to_string(one.make().rows.size()), one.about});
+        table.rows.push_back({one.name, std::to_string(one.length ? one.length() : one.make().rows.size()), one.about});
     return table;
 }
 

@@ -139,7 +139,7 @@ int measure(const MeasureOptions& options) {
     for (const std::string& remark : lab::settingsWithoutEffect(slots))
         note(remark);
     sayWhatIsProved(measured.results.front().counts, measured.scene, measured.light);
-    print(options.json ? measureJson(measured) : measureTable(measured));
+    print(options.json ? measureJson(measured) : measureTable(measured, terminalColumns()));
     return 0;
 }
 

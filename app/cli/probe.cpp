@@ -10,6 +10,7 @@
 #include "app/cli/json/probe_report.h"
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
+#include "app/cli/text_table.h"
 #include "app/context/assets.h"
 #include "app/drawing/paint.h"
 #include "app/figures/figures.h"
@@ -156,7 +157,7 @@ int probe(const ProbeOptions& options) {
     for (const std::string& remark : lab::settingsWithoutEffect(slots))
         note(remark);
     if (light < 0) note("scene '" + scene->name + "' has no lights; there is no shadow to ask about");
-    print(options.json ? probeJson(probed) : probeText(probed));
+    print(options.json ? probeJson(probed) : fitting(probeText(probed), terminalColumns()));
     return 0;
 }
 

@@ -102,6 +102,53 @@ std::string paragraph(const std::vector<std::string>& headings, const std::vecto
     return text;
 }
 
+/// Which columns of a table stand beside one another, so that none is wider than the terminal: the first one is in all of these parts.
+std::vector<std::vector<std::size_t>> partsOf(std::vector<std::size_t>& widths, std::size_t columns) {
+    widths[0] = std::min(widths[0], std::max(kNarrowest, columns / 2));
+    std::vector<std::vector<std::size_t>> parts{{0}};
+    std::size_t taken = widths[0];
+    for (std::size_t i = 1; i < widths.size(); ++i) {
+        if (widths[i] == 0) continue;
+        // Words at the end of a row may be broken, numbers may not.
+        const std::size_t needed = kGap + (i + 1 == widths.size() ? std::min(widths[i], 2 * kNarrowest) : widths[i]);
+        if (taken + needed > columns && parts.back().size() > 1) {
+            parts.push_back({0});
+            taken = widths[0];
+        }
+        parts.back().push_back(i);
+        if (i + 1 == widths.size()) widths[i] = std::min(widths[i], std::max(columns, taken + kGap + 1) - taken - kGap);
+        taken += kGap + widths[i];
+    }
+    return parts;
+}
+
+/// A row of one part, its first and last column broken where they are too long.
+std::string partLines(const std::vector<std::string>& row, const std::vector<std::size_t>& part, const std::vector<std::size_t>& widths) {
+    std::vector<std::vector<std::string>> cells;
+    std::size_t lines = 1;
+    for (const std::size_t i : part) {
+        const bool isText = i == 0 || i + 1 == widths.size();
+        const std::string cell = i < row.size() ? row[i] : "";
+        cells.push_back(isText ? wrapped(cell, widths[i]) : std::vector{std::string(widths[i] - width(cell), ' ') + cell});
+        lines = std::max(lines, cells.back().size());
+    }
+    std::vector<std::size_t> partWidths;
+    for (const std::size_t i : part)
+        partWidths.push_back(widths[i]);
+    std::string text;
+    for (std::size_t line = 0; line < lines; ++line) {
+        std::vector<std::string> parts;
+        for (const std::vector<std::string>& cell : cells)
+            parts.push_back(line < cell.size() ? cell[line] : "");
+        text += joinedLine(parts, partWidths);
+    }
+    return text;
+}
+
+bool saysSomethingIn(const std::vector<std::string>& row, const std::vector<std::size_t>& part) {
+    return std::ranges::any_of(part, [&](std::size_t i) { return i > 0 && i < row.size() && !row[i].empty(); });
+}
+
 } // namespace
 
 std::string aligned(const Rows& rows) {
@@ -124,6 +171,29 @@ std::string aligned(const Rows& rows) {
     return text;
 }
 
+std::string aligned(const Rows& rows, std::optional<std::size_t> columns) {
+    const std::string whole = aligned(rows);
+    std::istringstream lines(whole);
+    bool fits = true;
+    for (std::string line; columns && std::getline(lines, line);)
+        fits = fits && width(line) <= *columns;
+    if (fits) return whole;
+    std::vector<std::size_t> widths;
+    for (const std::vector<std::string>& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i)
+            widths[i] = std::max(widths[i], width(withoutBlankAtEnd(row[i])));
+    }
+    std::string text;
+    for (const std::vector<std::size_t>& part : partsOf(widths, *columns)) {
+        const bool isFirst = text.empty();
+        if (!isFirst) text += "\n";
+        for (const std::vector<std::string>& row : rows)
+            if (isFirst || saysSomethingIn(row, part)) text += partLines(row, part, widths);
+    }
+    return text;
+}
+
 std::vector<std::string> wrapped(const std::string& text, std::size_t columns) {
     std::vector<std::string> lines;
     for (const std::string& piece : piecesOf(text, columns)) {
@@ -135,6 +205,28 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t columns) {
     for (std::string& line : lines)
         line = withoutBlankAtEnd(line);
     return lines;
+}
+
+std::string fitting(const std::string& text, std::optional<std::size_t> columns) {
+    if (!columns) return text;
+    std::string fitted;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (width(line) <= *columns) {
+            fitted += line + "\n";
+            continue;
+        }
+        const std::size_t indent = std::min(line.find_first_not_of(' '), line.size()), gap = line.find("  ", indent);
+        const std::size_t column = gap == std::string::npos ? gap : line.find_first_not_of(' ', gap);
+        const bool hasColumn = column <= *columns / 2;
+        const std::size_t begin = hasColumn ? column : indent, below = hasColumn ? column : indent + kGap;
+        std::string before = line.substr(0, begin);
+        for (const std::string& part : wrapped(line.substr(begin), *columns - std::min(below, *columns - 1))) {
+            fitted += before + part + "\n";
+            before = std::string(below, ' ');
+        }
+    }
+    return fitted;
 }
 
 std::string listed(const std::vector<std::string>& headings, const Rows& rows, std::size_t columns) {

@@ -65,6 +65,28 @@ TEST_F(ListTest, EveryListIsLinesAndOneJsonObject) {
     }
 }
 
+TEST_F(ListTest, EveryBuiltInSceneIsDescribedInOneLine) {
+    const auto rows = rowsOf(succeed({"list", "scenes"}).out);
+    EXPECT_GE(rows.size(), 13u);
+    for (const auto& row : rows) {
+        ASSERT_EQ(row.size(), 2u) << row.at(0);
+        EXPECT_GE(row[1].size(), 30u) << row[0];
+        EXPECT_LE(row[1].size(), 160u) << row[0] << ": that is more than a line or two";
+        EXPECT_TRUE(row[1].ends_with('.')) << row[0] << ": " << row[1];
+    }
+}
+
+// It says how long each list is. It asks no graphics driver: also without one it is there at once, and says nothing of that.
+TEST_F(ListTest, TheOverviewKnowsHowLongTheListsAre) {
+    const ProgramResult overview = run({"list"}, {.environment = {{"MESA_GL_VERSION_OVERRIDE", "2.1"}, {"DISPLAY", ""}}});
+    EXPECT_EQ(overview.status, 0) << overview.shown();
+    EXPECT_EQ(overview.err, "") << "a driver was asked";
+    const auto rows = rowsOf(overview.out);
+    EXPECT_GE(rows.size(), 13u);
+    for (const auto& row : rows)
+        EXPECT_EQ(row.at(1), std::to_string(rowsOf(succeed({"list", row.at(0)}).out).size())) << row.at(0);
+}
+
 TEST_F(ListTest, LimitsKnowSizesAndTheDriver) {
     const auto rows = rowsOf(succeed({"list", "limits"}).out);
     std::map<std::string, std::string> values;

@@ -10,6 +10,9 @@ from pathlib import Path
 from commands_check import Names, check_page
 
 # (what must be said, what stands on the page)
+# Lines of a list, its columns as far apart as a page likes.
+BILLIARDS = "billiards  A billiard table for rays that are spread: over lamps, time, lens and rough surfaces."
+CANDLE = "candle     A ball in candlelight, after the drawings of shadow in the notebooks of Leonardo da Vinci."
 WRONG = [
     ("there is no subcommand catpure", "    build/release/shadowlab catpure still-life -o a.png"),
     ("capture has no option --sise", "`shadowlab capture still-life --sise 64x36 -o a.png`"),
@@ -30,8 +33,8 @@ WRONG = [
     ("no option --sise", "    build/release/shadowlab capture still-life \\\n        --sise 64x36 -o a.png"),
     # A file that the page gives is read by the program itself.
     ('unknown key "camra"', '`a.json`:\n\n```json\n{"camra": {}}\n```\n\n`shadowlab inspect a.json`'),
-    ("does not print `billiardz`", "```console\n$ shadowlab list scenes\nbilliards\nbilliardz\n```"),
-    ("not in this order", "```console\n$ shadowlab list scenes\ncandle\nbilliards\n```"),
+    ("does not print `billiardz`", f"```console\n$ shadowlab list scenes\n{BILLIARDS}\nbilliardz\n```"),
+    ("not in this order", f"```console\n$ shadowlab list scenes\n{CANDLE}\n{BILLIARDS}\n```"),
 ]
 
 RIGHT = """
@@ -52,10 +55,10 @@ RIGHT = """
 
 ```console
 $ shadowlab list scenes
-billiards
-colonnade
+BILLIARDS
+CANDLE
 ```
-"""
+""".replace("BILLIARDS", BILLIARDS).replace("CANDLE", CANDLE)
 
 
 def main():

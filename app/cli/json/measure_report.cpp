@@ -148,13 +148,14 @@ std::string measureJson(const Measured& measured) {
     return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string measureTable(const Measured& measured) {
-    std::string text = measured.scene + ", light '" + measured.light + "', " + std::to_string(measured.size.x) + "x" +
-                       std::to_string(measured.size.y) + ", " + std::to_string(measured.frames) +
-                       (measured.frames == 1 ? " frame" : " frames") + ", " + measured.renderer + "\n\n";
-    text += aligned(truthRows(measured));
-    for (const Rows& rows : {errorRows(measured), pictureRows(measured), timeRows(measured), counterRows(measured)})
-        text += "\n" + aligned(rows);
+std::string measureTable(const Measured& measured, std::optional<std::size_t> columns) {
+    const std::string heading = measured.scene + ", light '" + measured.light + "', " + std::to_string(measured.size.x) + "x" +
+                                std::to_string(measured.size.y) + ", " + std::to_string(measured.frames) +
+                                (measured.frames == 1 ? " frame" : " frames") + ", " + measured.renderer;
+    std::string text = fitting(heading + "\n", columns);
+    for (const Rows& rows :
+         {truthRows(measured), errorRows(measured), pictureRows(measured), timeRows(measured), counterRows(measured)})
+        text += "\n" + aligned(rows, columns);
     return text;
 }
 
