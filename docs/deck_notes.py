@@ -2,7 +2,9 @@
 """The speaker's notes of the built-in decks, taken from the script of the lectures.
 
 deck_notes.py writes them; deck_notes.py --check says which are not as docs/teaching.md has them, and exits with 1 if there are any.
-A row of the script names its slides; what is to be done and said, and what is to be asked, becomes the `notes` of each of them.
+A row of the script names its slides; what is to be done and said, and what is to be asked, becomes the `notes` of each of them. Notes are
+read beside the slides of a browser as well, where the keys of the program's window do nothing: what is to be done with them says so. A slide
+that no row names has its notes from the table `| slide | what to say |`.
 """
 # SPDX-License-Identifier: MIT
 import json
@@ -13,7 +15,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 NAME = re.compile(r'^    \{"name": "([\w-]+)"')
 NOTES = re.compile(r'^     "notes": \[.*\],$')
-LEAST = 40  # notes in both decks, so that a table that is no longer found is noticed
+KEY = re.compile(r"`(?:[A-Z0-9]|(?:Shift|Ctrl)\+[A-Z]|PageDown|PageUp|Space|Esc|Left|Right|Tab)`")
+IN_WINDOW = "In the program's window: "
+LEAST = 60  # slides with notes in both decks, so that a table that is no longer found is noticed
 
 
 def plain(markdown):
@@ -22,18 +26,39 @@ def plain(markdown):
     return re.sub(r"[*`]", "", text).strip()
 
 
+def paragraphs(say):
+    """What is to be done and said, in the order of the cell. What is said stands in italics; a key and what follows it, up to the next
+    italics, is done in the window, and is a paragraph of its own that says so."""
+    told = []
+    for part in re.split(r"(?<!\*)(\*[^*]+\*)(?!\*)", say):
+        key = None if part.startswith("*") else KEY.search(part)
+        begin = part.rfind(". ", 0, key.start()) + 1 if key else len(part)  # of the sentence that names the key
+        for is_done, piece in ((False, part[:begin].strip()), (True, part[begin:].strip())):
+            if not piece:
+                continue
+            goes_on = told and (told[-1][1].endswith(":") or piece[0] in ".,;:")  # the same sentence, said and done
+            if told and (goes_on or told[-1][0] == is_done):
+                told[-1][1] += ("" if piece[0] in ".,;:" else " ") + piece
+            else:
+                told.append([is_done, piece])
+    return [(IN_WINDOW if is_done else "") + plain(text) for is_done, text in told]
+
+
 def notes_of_slides(script):
-    """From a slide's name to its paragraphs, of all rows `| minutes | slides | keys | what to do and to say | ask |`."""
+    """From a slide's name to its paragraphs, of all rows `| minutes | slides | keys | what to do and to say | ask |`, and of the
+    rows `| slide | what to say |`."""
     notes = {}
     for line in script.splitlines():
         cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
-        if len(cells) != 5 or not re.match(r"\d+-\d+$", cells[0]):
+        if len(cells) == 5 and re.match(r"\d+-\d+$", cells[0]):
+            _, slides, _, say, ask = cells
+        elif len(cells) == 2 and re.fullmatch(r"`[\w-]+`", cells[0]):
+            (slides, say), ask = cells, ""
+        else:
             continue
-        _, slides, _, say, ask = cells
-        said = [plain(say)] if say else []
         asked = ["Ask: " + plain(ask)] if ask else []
         for slide in re.findall(r"`([\w-]+)`", slides):
-            notes.setdefault(slide, []).extend(said + asked)
+            notes.setdefault(slide, []).extend(paragraphs(say) + asked)
     return notes
 
 

@@ -200,7 +200,8 @@ private:
             progress_->done(++done_);
         }
         if (!options_.only.empty() || pages.empty()) return;
-        image::writeWhole(options_.output / (deck.name() + ".html"), course::htmlPage(deck, pages));
+        const double aspect = static_cast<double>(options_.look.size.x) / options_.look.size.y;
+        image::writeWhole(options_.output / (deck.name() + ".html"), course::htmlPage(deck, pages, aspect));
         image::writeWhole(options_.output / (deck.name() + ".md"), course::markdown(deck, pages));
     }
 
@@ -213,7 +214,7 @@ private:
     }
 
     course::PageSlide draw(Deck& deck, std::size_t number) {
-        course::PageSlide page{deck.read(number), {}, "", ""};
+        course::PageSlide page{deck.read(number), {}, {}, "", ""};
         const std::string name = deck.name() + "-" + numbered(deck, number);
         course::SlideFiles files{name + ".png"};
         if (!page.slide.pictures.empty()) files.emplace_back(page.pictureFile = "pictures/" + name + ".png");
@@ -221,8 +222,9 @@ private:
             files.emplace_back(page.wordsFile = "pictures/" + name + "-with-words.png");
         const course::Unfinished unfinished(options_.output, deck.name());
         const std::string from = madeFrom(deck, page.slide);
-        if (std::optional<std::vector<std::uint8_t>> png = unfinished.find(numbered(deck, number), from, files)) {
-            page.png = std::move(*png);
+        if (std::optional<course::StandingSlide> standing = unfinished.find(numbered(deck, number), from, files)) {
+            page.png = std::move(standing->png);
+            page.picturesAt = standing->picturesAt;
             ++stood_;
             return page;
         }
@@ -237,9 +239,10 @@ private:
             return png;
         };
         page.png = write(name + ".png", drawn.slide);
+        page.picturesAt = drawn.picturesAt;
         if (!page.pictureFile.empty()) write(page.pictureFile, drawn.pictures);
         if (!page.wordsFile.empty()) write(page.wordsFile, drawn.content);
-        unfinished.keep(numbered(deck, number), from, digests); // last: with it the slide stands
+        unfinished.keep(numbered(deck, number), from, digests, page.picturesAt); // last: with it the slide stands
         return page;
     }
 

@@ -36,10 +36,10 @@ struct SlidePicture {
 /// A slide's words as its file has them: with formulas between $ (drawing/prose.h).
 struct WrittenWords {
     std::string title, caption;
-    std::vector<std::string> text;
+    std::vector<std::string> text, notes;
 };
 
-/// Title, caption and text are in plain words, for what reads no formulas.
+/// Title, caption, text and notes are in plain words, for what reads no formulas.
 struct Slide {
     std::string name; ///< its files are called so
     std::string title;

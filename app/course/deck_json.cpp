@@ -178,7 +178,9 @@ struct Deck::File {
         for (const std::string& text : slide.written.text)
             slide.text.push_back(plainText(own, "text", text));
         slide.formulas = paragraphs(own, "formulas", kLongestFormula);
-        slide.notes = paragraphs(own, "notes", kLongestNote);
+        slide.written.notes = paragraphs(own, "notes", kLongestNote);
+        for (const std::string& note : slide.written.notes)
+            slide.notes.push_back(plainText(own, "notes", note));
         if (own.find("supersample")) slide.supersample = own.integer("supersample", 1, 8);
         readPseudocode(own, slide);
         if (own.find("pictures")) {

@@ -41,6 +41,10 @@ public:
     /// In one line for who cannot see it: "N · P' + D = 0", "F_jk = (1)/(A_j) ∫∫ ...".
     [[nodiscard]] std::string spoken() const;
 
+    /// For a page: an element that browsers set as a book does, on a line of its own if displayed. The page's style has to slant
+    /// `.variable` and to make `.vector` bold.
+    [[nodiscard]] std::string mathML(bool isDisplayed) const;
+
     struct Node; ///< of the tree that was read
 
 private:

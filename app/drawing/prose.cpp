@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/drawing/markup.h"
 #include "techniques/foundation/base/error.h"
 
 namespace shadowlab::drawing {
@@ -151,6 +152,13 @@ std::string plainProse(std::string_view text) {
     for (const Piece& piece : piecesOf(text))
         plain += piece.isFormula ? Formula(piece.text).spoken() : piece.text;
     return plain;
+}
+
+std::string proseMarkup(std::string_view text) {
+    std::string markup;
+    for (const Piece& piece : piecesOf(text))
+        markup += piece.isFormula ? Formula(piece.text).mathML(false) : escapedMarkup(piece.text);
+    return markup;
 }
 
 } // namespace shadowlab::drawing

@@ -37,4 +37,7 @@ void drawProse(Drawing& drawing, dvec2 place, std::string_view text, const TextS
 /// The same in plain words, for who reads no formulas: "the texel holds d(u, v)". Throws as wrapProse() does.
 std::string plainProse(std::string_view text);
 
+/// The same for a page: words with the signs of markup escaped, formulas as MathML. Throws as wrapProse() does.
+std::string proseMarkup(std::string_view text);
+
 } // namespace shadowlab::drawing

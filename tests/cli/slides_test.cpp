@@ -1,5 +1,7 @@
 // `shadowlab slides` as a user runs it: what it writes, what it says of a slide that fails, and that it writes it again.
 // SPDX-License-Identifier: MIT
+#include <cstdio>
+
 #include "tests/cli/command_fixture.h"
 
 namespace shadowlab {
@@ -11,7 +13,7 @@ protected:
         folder.write("deck.json", R"({"title": "A deck", "scene": "box.json", "slots": [{"technique": "shadow-map"}],
   "slides": [
     {"name": "box", "title": "A box", "slots": [{"technique": "shadow-volume"}], "alt": "A box & its shadow.",
-     "callouts": [{"box": [0.3, 0.3, 0.4, 0.4], "label": "box"}], "caption": "It stands on the floor.", "notes": ["Say what it stands on.", "Ask: <where>?"]},
+     "callouts": [{"box": [0.3, 0.3, 0.4, 0.4], "label": "box"}], "caption": "It stands on the floor, $n_f$ times.", "notes": ["Say what it stands on.", "Ask: <where>?"]},
     {"name": "broken", "title": "Broken", "slots": [{"technique": "shadow-map"}], "stage": "nothing", "alt": "-"},
     {"name": "words", "title": "Words", "text": ["No picture."], "formulas": ["\\frac{1}{2}"]},
     {"name": "drawing", "title": "A drawing", "slots": [{"technique": "shadow-volume"}], "diagram": "pixel",
@@ -52,7 +54,8 @@ TEST_F(SlidesTest, PagesHoldAllThatWasDrawn) {
         ++pictures;
     EXPECT_EQ(pictures, 3u);
     EXPECT_NE(html.find("alt=\"A box &amp; its shadow.\""), std::string::npos);
-    EXPECT_NE(html.find("It stands on the floor."), std::string::npos);
+    EXPECT_NE(html.find("It stands on the floor, <math><mrow><msub>"), std::string::npos) << "a formula among words is set";
+    EXPECT_NE(html.find("<div class=\"formula\"><math display=\"block\"><mrow><mfrac>"), std::string::npos);
     EXPECT_EQ(html.find("http"), std::string::npos) << "it needs nothing from elsewhere";
     EXPECT_NE(html.find("<div class=\"notes\"><p>Say what it stands on.</p><p>Ask: &lt;where&gt;?</p></div>"), std::string::npos);
     EXPECT_NE(text.find("::: notes\nSay what it stands on"), std::string::npos);
@@ -63,6 +66,22 @@ TEST_F(SlidesTest, PagesHoldAllThatWasDrawn) {
     }
     EXPECT_NE(html.find("showKeys(true);"), std::string::npos) << "visible from the start";
     EXPECT_NE(html.find("'.': dark"), std::string::npos) << "what the remote of a presenter sends";
+    // A phone shows the part of a slide that its pictures fill, so that no title and no word is read twice.
+    for (const char* name : {"box", "drawing"}) {
+        const std::size_t at = html.find("<section id=\"" + std::string(name) + "\"");
+        ASSERT_NE(at, std::string::npos);
+        const std::size_t place = html.find("<div class=\"sheet\" style=\"--left: ", at);
+        ASSERT_LT(place, html.find("</section>", at)) << name;
+        double left = 0, top = 0, wide = 0, high = 0, shape = 0;
+        ASSERT_EQ(std::sscanf(html.c_str() + html.find("--left", place),
+                              "--left: %lf; --top: %lf; --wide: %lf; --high: %lf; --shape: %lf", &left, &top, &wide, &high, &shape),
+                  5);
+        EXPECT_GT(top, 48.0 / 1080) << "below the title, whose letters are 48 of 1080 high";
+        EXPECT_LE(left + wide, 1.0);
+        EXPECT_LE(top + high, 1.0);
+        EXPECT_NEAR(shape, 16.0 / 9 * wide / high, 0.001); // of five digits after the point
+    }
+    EXPECT_NE(html.find("<div class=\"sheet wordy\">", html.find("<section id=\"words\"")), std::string::npos);
     EXPECT_NE(text.find("# A box\n"), std::string::npos);
     EXPECT_NE(text.find("(pictures/deck-01-box.png)"), std::string::npos);
     EXPECT_NE(text.find("![](pictures/deck-03-words-with-words.png)"), std::string::npos)

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/context/assets.h"
+#include "app/drawing/prose.h"
 #include "techniques/foundation/base/error.h"
 
 namespace shadowlab::drawing {
@@ -32,6 +33,28 @@ TEST_F(FormulaTest, IsSpokenInOneLine) {
     EXPECT_EQ(Formula(R"(F_{jk} = \frac{1}{A_j})").spoken(), "F_jk = (1) / (A_j)");
     EXPECT_EQ(Formula(R"(\sqrt{1 - x^2})").spoken(), "√(1 − x^2)");
     EXPECT_EQ(Formula(R"(\begin{bmatrix} a & b \\ c & d \end{bmatrix})").spoken(), "[a, b; c, d]");
+}
+
+TEST_F(FormulaTest, IsMarkupThatABrowserSets) {
+    const auto variable = [](const std::string& letter) { return "<mi mathvariant=\"normal\" class=\"variable\">" + letter + "</mi>"; };
+    EXPECT_EQ(Formula("n_f").mathML(false),
+              "<math><mrow><msub>" + variable("n") + variable("f") + "</msub></mrow></math>");
+    EXPECT_NE(Formula("F_{ii} = 0").mathML(false).find("<msub>" + variable("F") + "<mrow>" + variable("i") + variable("i") + "</mrow>"),
+              std::string::npos);
+    EXPECT_NE(Formula(R"(\frac{1}{A_j})").mathML(true).find("<math display=\"block\"><mrow><mfrac><mrow><mn>1</mn></mrow>"),
+              std::string::npos);
+    EXPECT_NE(Formula(R"(\mathbf{N})").mathML(false).find("class=\"vector\">N</mi>"), std::string::npos);
+    EXPECT_NE(Formula(R"(\begin{bmatrix} a & b \\ c & d \end{bmatrix})").mathML(false).find("</mtd></mtr><mtr><mtd>"), std::string::npos);
+    EXPECT_NE(Formula("x < -1").mathML(false).find("<mo form=\"infix\">&lt;</mo><mo form=\"prefix\" lspace=\"0\" rspace=\"0\">−</mo>"),
+              std::string::npos)
+        << "the second sign belongs to the number";
+    // Every element that is opened is closed, also in what nests.
+    for (const std::string tex : {R"(\sum_{k=1}^{n} x_k^2)", R"(\left( \sqrt{x} \right. \cos^2 \phi)", R"(\iint_A \text{a b} \, dA)"}) {
+        const std::string markup = Formula(tex).mathML(true);
+        EXPECT_EQ(std::ranges::count(markup, '<') % 2, 0) << markup;
+        EXPECT_EQ(markup.find("\\"), std::string::npos) << "no TeX is left: " << markup;
+    }
+    EXPECT_EQ(proseMarkup("a < $d$"), "a &lt; " + Formula("d").mathML(false));
 }
 
 TEST_F(FormulaTest, PartsStandWhereTheyBelong) {

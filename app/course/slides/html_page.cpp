@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "app/course/slides/pages.h"
+#include <array>
+#include <cstdio>
+
 #include "app/drawing/formula.h"
 #include "app/drawing/markup.h"
+#include "app/drawing/prose.h"
 
 namespace shadowlab::course {
 
 namespace {
 
 // A slide fills the window as far as its shape allows; below it stand its caption or its notes, if they are wanted, and the keys. Without
-// scripts all slides stand one below the other, as in print. On a phone they do so too, and what is written on a slide stands
-// below it as text.
+// scripts all slides stand one below the other, as in print. On a phone they do so too: there each is its title, the part of the slide
+// that its pictures fill, and below it as text what is written on it.
 constexpr std::string_view kStyle = R"(
 :root { color-scheme: light; --below: 0rem; --keys: 0rem }
 * { box-sizing: border-box }
 body { margin: 0; background: #d9d9d9; color: #1a1a1a; font: 18px/1.4 'DejaVu Sans', Verdana, sans-serif }
 section { margin: 0 auto 1rem; max-width: calc(100vh * 16 / 9) }
 section img { display: block; width: 100%; height: auto; background: #fff }
+math mi, math mn, math mtext { font-family: 'DejaVu Sans', Verdana, sans-serif }
+math .variable { font-style: italic }
+math .vector { font-weight: bold }
 h1, h2, .told { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%) }
 .caption, .notes { margin: 0; padding: .5rem 1rem; background: #fff; border-top: 2px solid #e69f00 }
 .notes { display: none; border-color: #0072b2; max-height: 10rem; overflow-y: auto; font-size: 16px }
@@ -42,13 +49,18 @@ body.keys { --keys: 2.2rem }
   .all section.now { outline: 5px solid #e69f00 }
   .all .caption, .all .notes { display: none }
 }
-@media (max-width: 700px) {
+@media screen and (max-width: 700px) {
   #keys { display: none }
   h1, h2, .told { position: static; width: auto; height: auto; overflow: visible; clip-path: none }
   h1 { font-size: 1.4rem; margin: .8rem 1rem }
   h2 { font-size: 1.15rem; margin: 0; padding: .6rem 1rem }
   .told { padding: .4rem 1rem; overflow-wrap: anywhere }
   .told p { margin: .4rem 0 }
+  .told .formula { overflow-x: auto; padding: .2rem 0 }
+  .sheet { position: relative; overflow: hidden; margin: 0 .4rem; aspect-ratio: var(--shape) }
+  .sheet img { position: absolute; width: calc(100% / var(--wide)); max-width: none; left: calc(-100% * var(--left) / var(--wide));
+    top: calc(-100% * var(--top) / var(--high)) }
+  .wordy { display: none }
   .told li { white-space: pre-wrap }
   .told ol { margin: .4rem 0; padding-left: 2rem; font: 14px/1.5 'DejaVu Sans Mono', monospace }
   section { background: #fff; max-width: none }
@@ -90,10 +102,11 @@ const does = {
   f: () => document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen(),
 };
 addEventListener('keydown', e => {
-  if (e.ctrlKey || e.altKey || e.metaKey || !does[e.key]) return;
+  const key = e.key.length === 1 ? e.key.toLowerCase() : e.key; // also with Caps Lock
+  if (e.ctrlKey || e.altKey || e.metaKey || !Object.hasOwn(does, key)) return;
   e.preventDefault();
   if (!black.hidden) dark(); // any of the keys brings the slide back, as it was
-  else does[e.key]();
+  else does[key]();
 });
 black.addEventListener('click', dark);
 addEventListener('hashchange', () => { const i = slides.findIndex(s => '#' + s.id === location.hash); if (i >= 0) show(i) });
@@ -121,13 +134,13 @@ constexpr std::string_view kKeys =
     "<span><kbd>b</kbd> black</span><span><kbd>n</kbd> notes</span><span><kbd>c</kbd> caption</span>"
     "<span><kbd>o</kbd> all slides</span><span><kbd>h</kbd> hide this line</span><span id=\"place\"></span>";
 
-/// All that a slide says beside its pictures, for who cannot see it.
+/// All that a slide says beside its pictures, on a phone, and for who cannot see it.
 std::string toldWords(const Slide& slide) {
     std::string html;
-    for (const std::string& text : slide.text)
-        html += "<p>" + drawing::escapedMarkup(text) + "</p>";
+    for (const std::string& text : slide.written.text)
+        html += "<p>" + drawing::proseMarkup(text) + "</p>";
     for (const std::string& tex : slide.formulas)
-        html += "<p>" + drawing::escapedMarkup(drawing::Formula(tex).spoken()) + "</p>";
+        html += "<div class=\"formula\">" + drawing::Formula(tex).mathML(true) + "</div>";
     if (!slide.pseudocode.empty()) {
         html += "<ol>";
         for (const std::string& line : slide.pseudocode)
@@ -137,9 +150,22 @@ std::string toldWords(const Slide& slide) {
     return html;
 }
 
+/// The whole slide as a picture, and in the style where on it its pictures are: a phone shows that part alone.
+std::string sheet(const PageSlide& page, double aspect) {
+    const Slide& slide = page.slide;
+    const std::string image = "<img alt=\"" + drawing::escapedMarkup(slide.alt.empty() ? slide.title : slide.alt) +
+                              "\" src=\"data:image/png;base64," + drawing::base64(page.png) + "\">";
+    const dvec2 corner = page.picturesAt.corner, size = page.picturesAt.size;
+    if (size.x <= 0 || size.y <= 0) return "<div class=\"sheet wordy\">" + image + "</div>\n";
+    std::array<char, 128> place{};
+    std::snprintf(place.data(), place.size(), "--left: %.5f; --top: %.5f; --wide: %.5f; --high: %.5f; --shape: %.5f", corner.x,
+                  corner.y, size.x, size.y, aspect * size.x / size.y);
+    return "<div class=\"sheet\" style=\"" + std::string(place.data()) + "\">" + image + "</div>\n";
+}
+
 } // namespace
 
-std::string htmlPage(const Deck& deck, const std::vector<PageSlide>& slides) {
+std::string htmlPage(const Deck& deck, const std::vector<PageSlide>& slides, double aspect) {
     std::string page = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
                        drawing::escapedMarkup(deck.title()) + "</title>\n<style>" + std::string(kStyle) +
@@ -147,17 +173,15 @@ std::string htmlPage(const Deck& deck, const std::vector<PageSlide>& slides) {
     for (std::size_t i = 0; i < slides.size(); ++i) {
         const Slide& slide = slides[i].slide;
         const std::string place = std::to_string(i + 1) + " of " + std::to_string(slides.size());
-        page += "<section id=\"" + slide.name + "\" aria-label=\"" + place + ": " +
-                drawing::escapedMarkup(slide.title) + "\">\n<h2>" + drawing::escapedMarkup(slide.title) +
-                "</h2>\n<img alt=\"" + drawing::escapedMarkup(slide.alt.empty() ? slide.title : slide.alt) +
-                "\" src=\"data:image/png;base64," + drawing::base64(slides[i].png) + "\">\n";
+        page += "<section id=\"" + slide.name + "\" aria-label=\"" + place + ": " + drawing::escapedMarkup(slide.title) +
+                "\">\n<h2>" + drawing::proseMarkup(slide.written.title) + "</h2>\n" + sheet(slides[i], aspect);
         if (const std::string words = toldWords(slide); !words.empty())
             page += "<div class=\"told\">" + words + "</div>\n";
-        if (!slide.caption.empty()) page += "<p class=\"caption\">" + drawing::escapedMarkup(slide.caption) + "</p>\n";
-        if (!slide.notes.empty()) {
+        if (!slide.written.caption.empty()) page += "<p class=\"caption\">" + drawing::proseMarkup(slide.written.caption) + "</p>\n";
+        if (!slide.written.notes.empty()) {
             page += "<div class=\"notes\">";
-            for (const std::string& note : slide.notes)
-                page += "<p>" + drawing::escapedMarkup(note) + "</p>";
+            for (const std::string& note : slide.written.notes)
+                page += "<p>" + drawing::proseMarkup(note) + "</p>";
             page += "</div>\n";
         }
         page += "</section>\n";

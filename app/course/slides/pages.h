@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/course/deck.h"
+#include "app/drawing/labels.h"
 
 namespace shadowlab::course {
 
@@ -13,6 +14,7 @@ namespace shadowlab::course {
 struct PageSlide {
     Slide slide;
     std::vector<std::uint8_t> png; ///< of the whole slide
+    drawing::Box picturesAt;       ///< where on it its pictures are, in shares of it; empty: it has none
     std::string pictureFile;       ///< of its pictures alone, beside the page; empty: it has none
     std::string wordsFile;         ///< of its pictures with the words beside them, where showsWordsAsPicture()
 };
@@ -21,8 +23,9 @@ struct PageSlide {
 /// words, formulas or pseudocode, Markdown shows them as they are drawn.
 bool showsWordsAsPicture(const Slide& slide);
 
-/// One HTML page that needs nothing else: keys, captions, descriptions, an overview, and one slide on each printed page.
-std::string htmlPage(const Deck& deck, const std::vector<PageSlide>& slides);
+/// One HTML page that needs nothing else: keys, captions, descriptions, an overview, and one slide on each printed page. On a phone a
+/// slide is its title, its pictures cut out of it, and its words and formulas as text. `aspect`: a slide's width by its height.
+std::string htmlPage(const Deck& deck, const std::vector<PageSlide>& slides, double aspect);
 
 /// Markdown that pandoc turns into PPTX or Beamer: headings, pictures, captions; descriptions as notes, with the
 /// formulas as TeX.

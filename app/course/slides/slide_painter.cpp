@@ -133,10 +133,14 @@ DrawnSlide SlidePainter::draw(const Slide& slide, const SlideFoot& foot) const {
     const double width = look_.size.x / scale_;
     const DrawnPictures pictures = drawPictures(slide, fonts, {width, scale_, look_.supersample});
     const SlideLayout& layout = pictures.layout;
-    DrawnSlide drawn{image::Image(look_.size.x, look_.size.y, kPaper), {}, {}};
+    DrawnSlide drawn{image::Image(look_.size.x, look_.size.y, kPaper), {}, {}, {}};
     for (std::size_t i = 0; i < pictures.parts.size(); ++i)
         drawPart(drawn.slide, pictures, i);
-    if (!slide.pictures.empty()) drawn.pictures = cut(drawn.slide, layout.pictures);
+    if (!slide.pictures.empty()) {
+        drawn.pictures = cut(drawn.slide, layout.pictures);
+        const dvec2 whole(width, kSlideHeight);
+        drawn.picturesAt = {layout.pictures.corner / whole, layout.pictures.size / whole};
+    }
 
     Drawing words({width, kSlideHeight});
     writeWords(words, slide, layout, fonts);

@@ -21,6 +21,7 @@ struct SlideFoot {
 struct DrawnSlide {
     image::Image slide;
     image::Image pictures; ///< its pictures with their callouts, without any other words; empty where it has none
+    Box picturesAt;        ///< where they are on the slide, in shares of it
     image::Image content;  ///< its pictures with the words beside them
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/course/slides/unfinished.h"
 
+#include <array>
+
 #include <nlohmann/json.hpp>
 
 #include "app/picture/digest.h"
@@ -16,7 +18,7 @@ using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr const char* kMark = "slides drawn so far; the same command goes on from here"; // tells our files from others
-constexpr std::uint64_t kLargestList = 1 << 18;    // bytes; a slide takes 200 at most, and a deck has up to 300
+constexpr std::uint64_t kLargestList = 1 << 18;    // bytes; a slide takes 400 at most, and a deck has up to 300
 constexpr std::uint64_t kLargestPicture = 1 << 30; // more than the largest slide takes, 16384 x 16384 pixels of noise
 
 /// The slides that stand; nothing where the file is not ours, or not there. A link would lead elsewhere, and is not ours either.
@@ -45,20 +47,21 @@ bool Unfinished::isForeign() const {
     return fs::exists(fs::symlink_status(file_, ignored)) && !slidesIn(file_);
 }
 
-std::optional<std::vector<std::uint8_t>> Unfinished::find(const std::string& slide, const std::string& madeFrom,
-                                                          const SlideFiles& files) const {
+std::optional<StandingSlide> Unfinished::find(const std::string& slide, const std::string& madeFrom,
+                                              const SlideFiles& files) const {
     const std::optional<Json> slides = slidesIn(file_);
     if (!slides) return std::nullopt;
     try {
         const Json& kept = slides->at(slide);
         if (kept.at("madeFrom") != madeFrom || kept.at("files").size() != files.size()) return std::nullopt;
-        std::vector<std::uint8_t> first;
+        const auto place = kept.at("picturesAt").get<std::array<double, 4>>();
+        StandingSlide found{{}, {{place[0], place[1]}, {place[2], place[3]}}};
         for (std::size_t i = 0; i < files.size(); ++i) {
             const std::string bytes = scene::readFile(folder_ / files[i], kLargestPicture);
             if (kept.at("files").at(i) != picture::digestOf(bytes)) return std::nullopt;
-            if (i == 0) first.assign(bytes.begin(), bytes.end());
+            if (i == 0) found.png.assign(bytes.begin(), bytes.end());
         }
-        return first;
+        return found;
     } catch (const Error&) { // not there, or not to be read: nothing is lost but the time to draw it again
         return std::nullopt;
     } catch (const Json::exception&) {
@@ -67,11 +70,12 @@ std::optional<std::vector<std::uint8_t>> Unfinished::find(const std::string& sli
 }
 
 void Unfinished::keep(const std::string& slide, const std::string& madeFrom,
-                      const std::vector<std::string>& digests) const {
+                      const std::vector<std::string>& digests, const drawing::Box& picturesAt) const {
     if (isForeign()) return;
     // Read again: other runs may draw other slides of the deck meanwhile.
     Json slides = slidesIn(file_).value_or(Json::object());
-    slides[slide] = {{"madeFrom", madeFrom}, {"files", digests}};
+    slides[slide] = {{"madeFrom", madeFrom}, {"files", digests},
+                     {"picturesAt", {picturesAt.corner.x, picturesAt.corner.y, picturesAt.size.x, picturesAt.size.y}}};
     writeSlides(file_, slides);
 }
 

@@ -13,10 +13,18 @@
 #include <string>
 #include <vector>
 
+#include "app/drawing/labels.h"
+
 namespace shadowlab::course {
 
 /// A slide's files by their names below the folder; that of the whole slide comes first.
 using SlideFiles = std::vector<std::filesystem::path>;
+
+/// A slide that stands from an earlier run.
+struct StandingSlide {
+    std::vector<std::uint8_t> png; ///< its first file's bytes
+    drawing::Box picturesAt;       ///< as DrawnSlide has it
+};
 
 class Unfinished {
 public:
@@ -27,11 +35,12 @@ public:
     /// Whether another program's file is in its place. Then nothing is stored.
     [[nodiscard]] bool isForeign() const;
 
-    /// The bytes of a slide's first file if all of them are finished. `madeFrom`: a digest of all that they depend on.
-    [[nodiscard]] std::optional<std::vector<std::uint8_t>> find(const std::string& slide, const std::string& madeFrom,
-                                                                const SlideFiles& files) const;
+    /// A slide, if all of its files are finished. `madeFrom`: a digest of all that they depend on.
+    [[nodiscard]] std::optional<StandingSlide> find(const std::string& slide, const std::string& madeFrom,
+                                                    const SlideFiles& files) const;
     /// Once the files are written; `digests` are those of their bytes. Throws Error (cannotWrite).
-    void keep(const std::string& slide, const std::string& madeFrom, const std::vector<std::string>& digests) const;
+    void keep(const std::string& slide, const std::string& madeFrom, const std::vector<std::string>& digests,
+              const drawing::Box& picturesAt) const;
     /// Called when a run that drew only these slides is complete. Throws Error (cannotWrite).
     void discard(const std::vector<std::string>& slides) const;
     /// A run that drew the whole deck has.
