@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/figures/inks.h"
 #include "app/figures/panels.h"
 #include "techniques/foundation/base/look.h"
 #include "techniques/foundation/scene/query/outside_camera.h"
@@ -177,7 +178,7 @@ void SectionSheet::drawLight(drawing::Drawing& drawing, drawing::Labels& labels)
     if (light_.isDirection || !shows(light_.at)) {
         const std::string away = light_.isDirection ? "to the " + name + ", at infinity"
                                                     : name + ", " + fourDigits(glm::length(light_.at)) + " m away";
-        drawAway(drawing, labels, light_.toward(dvec2(0.0)), away, "#a06000");
+        drawAway(drawing, labels, light_.toward(dvec2(0.0)), away, ink::kLight);
         return;
     }
     const dvec2 at = (*this)(light_.at);

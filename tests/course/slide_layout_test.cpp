@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/context/assets.h"
+#include "app/course/slides/slide_legend.h"
 #include "app/course/slides/slide_parts.h"
 #include "app/course/slides/slide_words.h"
 #include "techniques/foundation/base/error.h"
@@ -56,10 +57,11 @@ void expectOrder(const SlideLayout& layout, const std::string& name) {
         EXPECT_TRUE(isInside(cell, layout.pictures)) << name;
         EXPECT_TRUE(isInside(layout.legends[i], layout.pictures)) << name;
         const bool beginsRow = i == 0 || cell.corner.y > layout.cells[i - 1].corner.y + kRounding;
-        if (beginsRow) EXPECT_NEAR(cell.corner.x, kMargin, kRounding) << name << ": one left edge";
+        const bool isBesideFirst = layout.isFirstLarge && i > 0;
+        if (beginsRow) EXPECT_NEAR(cell.corner.x, isBesideFirst ? layout.cells[1].corner.x : kMargin, kRounding) << name << ": one left edge";
         EXPECT_NEAR(layout.legends[i].corner.x, cell.corner.x, kRounding) << name;
         if (!layout.labels.empty()) EXPECT_NEAR(layout.labels[i].corner.x, cell.corner.x, kRounding) << name;
-        EXPECT_NEAR(cell.size.y, layout.cells[0].size.y, kRounding) << name << ": neighbours end at one height";
+        EXPECT_NEAR(cell.size.y, layout.cells[isBesideFirst ? 1 : 0].size.y, kRounding) << name << ": neighbours end at one height";
         EXPECT_GE(layout.captionTop, layout.legends[i].corner.y + layout.legends[i].size.y) << name;
         for (std::size_t j = 0; j < count; ++j) {
             EXPECT_FALSE(covers(layout.legends[j], cell)) << name << ": a legend over a picture";
@@ -68,6 +70,9 @@ void expectOrder(const SlideLayout& layout, const std::string& name) {
         }
         if (layout.words.size.x > 0) EXPECT_FALSE(covers(layout.words, cell)) << name << ": words over a picture";
     }
+    if (layout.isFirstLarge)
+        EXPECT_NEAR(layout.cells[0].corner.y + layout.cells[0].size.y, layout.cells[3].corner.y + layout.cells[3].size.y, kRounding)
+            << name << ": the large picture ends with the lower row";
     if (count == 0) EXPECT_NEAR(layout.words.corner.x, kMargin, kRounding) << name;
     EXPECT_LE(layout.words.corner.x + layout.words.size.x, layout.width - kMargin + kRounding) << name;
     const double captionEnd = layout.captionTop + kLineHeight * layout.captionType * static_cast<double>(layout.caption.size());
@@ -112,6 +117,42 @@ TEST(SlideLayoutTest, PicturesUseTheSlide) {
     const std::vector<PictureNeeds> four(4);
     const SlideLayout square = layOut(slide, 1920, slideFonts(), four);
     EXPECT_NEAR(square.cells[2].corner.x, square.cells[0].corner.x, kRounding) << "two rows of two";
+}
+
+// A scene before the square maps of three lights: in one row a third of the slide would stay empty.
+TEST(SlideLayoutTest, OnePictureBeforeThreeSquareOnesIsLarge) {
+    Slide slide;
+    slide.written.title = slide.title = "Title";
+    slide.written.caption = slide.caption = "The algorithm needs a depth buffer of its own for each light source.";
+    std::vector<PictureNeeds> needs(4);
+    for (std::size_t i = 0; i < needs.size(); ++i) {
+        needs[i].label = "Label";
+        if (i == 0) continue;
+        needs[i].aspect = 1;
+        needs[i].legendHeight = [](double) { return 70; };
+    }
+    const SlideLayout layout = layOut(slide, 1920, slideFonts(), needs);
+    EXPECT_TRUE(layout.isFirstLarge);
+    EXPECT_TRUE(layout.hasCaptionBeside);
+    expectOrder(layout, "one before three");
+    EXPECT_GT(layout.pictures.size.y, 0.8 * kSlideHeight);
+    EXPECT_GT(layout.cells[0].size.y, 2 * layout.cells[1].size.y);
+    EXPECT_GT(layout.cells[1].size.y, 0.3 * kSlideHeight);
+    EXPECT_EQ(layout.words.corner.x, layout.cells[2].corner.x) << "the caption fills the fourth place";
+    needs[3].aspect.reset();
+    EXPECT_FALSE(layOut(slide, 1920, slideFonts(), needs).isFirstLarge) << "pictures of any shape fill rows";
+}
+
+// What a legend compares is a formula; a scene's own names are letters, whatever they look like.
+TEST(SlideLegendTest, ConditionsAreFormulas) {
+    EXPECT_EQ(legendProse("d < z: in shadow"), "$d < z$: in shadow");
+    EXPECT_EQ(legendProse("N\u00b7L > 0: faces the light"), "$\\mathbf{N} \\cdot \\mathbf{L} > 0$: faces the light");
+    EXPECT_EQ(legendProse("N\u00b7L \u2264 0: faces away"), "$\\mathbf{N} \\cdot \\mathbf{L} \\le 0$: faces away");
+    EXPECT_EQ(legendProse("F_jk = 1"), "$F_{jk} = 1$");
+    for (const std::string plain : {"top cap", "costs $5: lit", "0: j does not see k", "light a = b c: lit", "false lit: 3 px"})
+        EXPECT_EQ(legendProse(plain), plain);
+    for (const char* prose : {"$d < z$: in shadow", "$\\mathbf{N} \\cdot \\mathbf{L} \\le 0$: faces away"})
+        EXPECT_EQ(drawing::proseInOneLine(prose, 24, false, slideFonts().formula()).pieces.size(), 2U) << prose;
 }
 
 // A side that pictures leave empty is for the caption; a column of words is no wider than its type needs.

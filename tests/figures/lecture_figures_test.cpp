@@ -13,6 +13,7 @@
 #include "app/figures/volume/volume_sketch.h"
 #include "app/picture/session.h"
 #include "techniques/foundation/base/error.h"
+#include "techniques/foundation/base/look.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/probed/map_probe.h"
@@ -363,6 +364,29 @@ TEST(LectureFiguresTest, SayWhatIsMissingInOneLine) {
     }
     EXPECT_NE(said(lit, "cameras").find("asks no shadow map"), std::string::npos);
     EXPECT_NE(said(lit, "passes").find("does not tell how often"), std::string::npos);
+}
+
+// A thing has one colour in drawings and in pictures, and what is seen together has different ones.
+TEST(FigureColoursTest, PartsOfAVolumeAreColouredAsTheOutsideViewColoursThem) {
+    const Asked asked = ask(deckScene(), "shadow-volume-zfail", {210, 119}, {{"construction", "lecture"}});
+    int caps = 0, others = 0, facing = 0;
+    for (const drawing::Mark& mark : findFigure("volume").draw(asked.source(kRooms[0])).drawing.marks())
+        if (const auto* line = std::get_if<drawing::Line>(&mark); line && line->isClosed && !line->fill.empty()) {
+            caps += line->fill == drawing::colorText(look::kTopCap);
+            others += line->fill == drawing::colorText(look::kOtherLight);
+            facing += line->fill == drawing::colorText(look::kTowardLight) || line->fill == drawing::colorText(look::kAwayFromLight);
+        }
+    EXPECT_GE(caps, 5);
+    EXPECT_GE(others, 5);
+    EXPECT_EQ(facing, 0) << "these are the colours of the two sides, which no part of a volume has";
+
+    const vec3 together[] = {look::kTopCap, look::kVolumeSide, look::kBottomCap,   look::kSilhouette,    look::kNearClipPyramid, look::kDepthPass,
+                             look::kDepthFail, look::kEye,      look::kChosenLight, look::kAwayFromLight, look::kTrueOutline};
+    int pairs = 0;
+    for (std::size_t i = 0; i < std::size(together); ++i)
+        for (std::size_t j = 0; j < i; ++j, ++pairs)
+            EXPECT_GT(glm::length(together[i] - together[j]), 0.1f) << i << ", " << j;
+    EXPECT_EQ(pairs, 55);
 }
 
 } // namespace

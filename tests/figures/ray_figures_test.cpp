@@ -72,7 +72,7 @@ TEST(JitterFigureTest, ShowsTheSamplesWhereTheyAre) {
 // Every ray begins on the lens and passes the point of the object plane that the ray through the lens's middle passes. They are a
 // pixel's width apart there, since each goes through another place of the pixel.
 TEST(LensFigureTest, RaysMeetInTheObjectPlane) {
-    int compared = 0;
+    int compared = 0, leaders = 0;
     for (const ivec2 pixel : {ivec2(768, 86), ivec2(230, 430), ivec2(640, 650)}) {
         const FigureOf asked("billiards", "ray-traced", pixel,
                              {{"samples", "16"}, {"aperture", "0.1"}, {"shutter", "0"}});
@@ -95,8 +95,17 @@ TEST(LensFigureTest, RaysMeetInTheObjectPlane) {
         const Diagram drawn = asked.draw("lens");
         ASSERT_EQ(circlesOf(drawn, "focus").size(), 1u);
         ASSERT_EQ(circlesOf(drawn, "hit").size(), 16u);
+        // The point in the lens's middle is named from the left: nothing that leads to its name crosses a ray.
+        const double eye = circlesOf(drawn, "eye").front().centre.x;
+        for (const drawing::Mark& mark : drawn.drawing.marks())
+            if (const auto* line = std::get_if<drawing::Line>(&mark); line && line->stroke.color == "#8c8c8c" && !line->stroke.isDashed) {
+                if (line->points.front().x > eye) continue; // to a label elsewhere
+                EXPECT_LT(std::max(line->points.front().x, line->points.back().x), eye);
+                ++leaders;
+            }
     }
     EXPECT_EQ(compared, 48);
+    EXPECT_GE(leaders, 3 * 2) << "two pieces in each drawing";
 }
 
 // The rays lie on their side of the surface, around the ideal one: with a lobe of power n the mean of the cosines is

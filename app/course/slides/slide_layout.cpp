@@ -174,6 +174,44 @@ bool placeBesideCaption(SlideLayout& layout, const Slide& slide, const Box& cont
     return true;
 }
 
+/// One picture of any shape before three that have a shape of their own, which in one row would all be low; all of them with a label.
+bool isOneBeforeThree(std::span<const PictureNeeds> needs) {
+    return needs.size() == 4 && !needs[0].aspect && std::ranges::none_of(needs, [](const auto& one) { return one.label.empty(); }) &&
+           std::ranges::all_of(needs.subspan(1), [](const auto& one) { return one.aspect.has_value(); });
+}
+
+/// The first picture large, as high as the two rows beside it, and the caption in the place that three pictures leave; false if it does
+/// not fit there, or if the pictures were no larger for it.
+bool placeFirstLarge(SlideLayout& layout, const Slide& slide, const Box& content, const Rows& inRows, std::span<const PictureNeeds> needs,
+                     const Fonts& fonts) {
+    if (!isOneBeforeThree(needs)) return false;
+    const std::span<const PictureNeeds> small = needs.subspan(1);
+    // The three take what is left of the width when the first has its least; they are as high as two rows of them can be.
+    const dvec2 beside(0.5 * content.size.x, content.size.y);
+    const Rows rows = highest(small, 2, beside, fonts);
+    const double smallWidth = rows.width(), label = rows.labels.front();
+    const double foot = label + rows.height + rows.legends.front() + kGap + rows.labels.back() + rows.height; // of the second row's picture
+    const double height = foot - label, width = std::min(content.size.x - smallWidth - kGap, kWidestPicture * height);
+    const double legend = needs.front().legendHeight ? needs.front().legendHeight(width) : 0;
+    const dvec2 caption(rows.widths.front(), rows.height);
+    const bool fits = width >= kNarrowestPicture * height && legend <= rows.legends.back();
+    if (!fits || wordsType(slide, true, caption, fonts).letters < kCaptionType ||
+        width * height + rows.shown() < kWorthASide * inRows.shown())
+        return false;
+    layout.caption.clear();
+    layout.isFirstLarge = layout.hasCaptionBeside = true;
+    layout.content = content;
+    layout.captionTop = content.corner.y + content.size.y;
+    placePictures(layout, {content.corner + dvec2(width + kGap, 0), {smallWidth, content.size.y}}, rows, small);
+    layout.labels.insert(layout.labels.begin(), Box{content.corner, {width, label}});
+    layout.cells.insert(layout.cells.begin(), Box{content.corner + dvec2(0, label), {width, height}});
+    layout.legends.insert(layout.legends.begin(), Box{content.corner + dvec2(0, foot), {width, legend}});
+    const Box& last = layout.cells.back();
+    layout.words = {last.corner + dvec2(last.size.x + kGap, 0), caption};
+    layout.pictures = {content.corner, dvec2(width + kGap, 0) + layout.pictures.size};
+    return true;
+}
+
 /// Where the pictures leave more room above the slide's foot than a caption needs, it is set larger.
 void enlargeCaption(SlideLayout& layout, const std::string& caption, double foot, const Fonts& fonts) {
     if (caption.empty()) return;
@@ -214,6 +252,8 @@ SlideLayout layOut(const Slide& slide, double width, const Fonts& fonts, std::sp
     if (hasWords) {
         placePictures(layout, area, rows, needs);
         layout.words = besidePictures(layout);
+    } else if (!layout.caption.empty() && placeFirstLarge(layout, slide, {{kMargin, top}, {room, foot - top}}, rows, needs, fonts)) {
+        // placed, and the caption with them
     } else if (!layout.caption.empty() && placeBesideCaption(layout, slide, {{kMargin, top}, {room, foot - top}}, rows, needs, fonts)) {
         layout.words = besidePictures(layout);
     } else { // a caption belongs to what it is about

@@ -2,7 +2,8 @@
 //
 // Title, first picture, caption and, where there is no picture, the words begin at one left edge. Pictures of a row are equally high; what
 // stands above one (its label) and below it (its legend) covers nothing of it. Words take no more of the width than they need. Where
-// pictures would leave a side of the slide empty, the caption stands there, beside them.
+// pictures would leave a side of the slide empty, the caption stands there, beside them. One picture of any shape before three square ones,
+// as a scene before the maps of three lights, is large: the three stand beside it, two above one, with the caption in the fourth place.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>
@@ -47,6 +48,7 @@ struct SlideLayout {
     std::vector<Box> legends;              ///< of each picture: the room below it, as wide as it is
     Box content;                           ///< all between title and caption
     Box words;                             ///< text, formulas, pseudocode, or the caption; empty: none
+    bool isFirstLarge = false;             ///< beside the first picture all others stand in two rows
     bool hasCaptionBeside = false;         ///< the caption stands in `words`, and `caption` is empty
     double captionTop = 0;                 ///< of the first line of the caption
     std::vector<drawing::ProseLine> title; ///< lines

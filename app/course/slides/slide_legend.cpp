@@ -2,7 +2,9 @@
 #include "app/course/slides/slide_legend.h"
 
 #include <algorithm>
+#include <regex>
 
+#include "app/drawing/prose.h"
 #include "app/picture/labels.h"
 #include "techniques/foundation/base/look.h"
 
@@ -33,11 +35,21 @@ std::vector<std::string> unitLines(const picture::Panel& panel, double width, co
     return fonts.upright.wrap(panel.display.unit, kLegendType, static_cast<int>(width - barWidth(width) - kSwatchGap));
 }
 
+/// Lines of a legend's text. Names of scenes may have any letters: they are prose only where there is a formula.
+std::vector<drawing::ProseLine> legendLines(const std::string& label, double width, const Fonts& fonts) {
+    const std::string prose = legendProse(label);
+    if (prose != label) return drawing::wrapProse(prose, kLegendType, width, false, fonts.formula());
+    std::vector<drawing::ProseLine> lines;
+    for (const std::string& line : fonts.upright.wrap(label, kLegendType, static_cast<int>(width)))
+        lines.push_back({{{line, false}}});
+    return lines;
+}
+
 /// The key's entries, each broken into lines, and where they stand: down one column after the other.
 struct KeyLayout {
     struct Entry {
         dvec2 corner;
-        std::vector<std::string> lines;
+        std::vector<drawing::ProseLine> lines;
     };
     std::vector<Entry> entries;
     double height = 0;
@@ -52,8 +64,7 @@ KeyLayout keyLayout(const picture::Panel& panel, double width, const Fonts& font
         if (i % perColumn == 0) y = 0;
         const double x = static_cast<double>(i / perColumn) * (column + kColumnGap);
         layout.entries.push_back({{x, y},
-                                  fonts.upright.wrap(key[i].label, kLegendType,
-                                                     static_cast<int>(column - kSwatch - kSwatchGap))});
+                                  legendLines(key[i].label, column - kSwatch - kSwatchGap, fonts)});
         y += kLegendRow * static_cast<double>(layout.entries.back().lines.size());
         layout.height = std::max(layout.height, y);
     }
@@ -96,6 +107,16 @@ void drawBar(drawing::Drawing& drawing, const picture::Panel& panel, dvec2 corne
 
 } // namespace
 
+std::string legendProse(const std::string& label) {
+    static const std::regex condition("^([A-Za-z\u00b7_]{1,8}) ([=<>]|\u2264) ([A-Za-z0-9]{1,4})(?=:|$)");
+    std::smatch parts;
+    if (!std::regex_search(label, parts, condition)) return label;
+    std::string left = std::regex_replace(parts[1].str(), std::regex("_([A-Za-z]+)"), "_{$1}");
+    left = std::regex_replace(left, std::regex("([A-Z])\u00b7([A-Z])"), "\\mathbf{$1} \\cdot \\mathbf{$2}");
+    const std::string relation = parts[2] == "\u2264" ? "\\le" : parts[2].str();
+    return "$" + left + " " + relation + " " + parts[3].str() + "$" + parts.suffix().str();
+}
+
 double legendHeight(const picture::Panel& panel, double width, const Fonts& fonts) {
     if (hasBar(panel)) {
         const auto lines = static_cast<double>(unitLines(panel, width, fonts).size());
@@ -116,8 +137,8 @@ void drawLegendBelow(drawing::Drawing& drawing, const picture::Panel& panel, dve
         drawing.rectangle(at + dvec2(0, 4), dvec2(kSwatch), drawing::colorText(panel.display.key[i].colorLinear),
                           {kSwatchEdge, 1.5, false});
         double foot = at.y + kLegendType - 1;
-        for (const std::string& line : key.entries[i].lines) {
-            drawing.text({at.x + kSwatch + kSwatchGap, foot}, line, legendStyle());
+        for (const drawing::ProseLine& line : key.entries[i].lines) {
+            drawing::drawProse(drawing, {at.x + kSwatch + kSwatchGap, foot}, line, legendStyle(), fonts.formula());
             foot += kLegendRow;
         }
     }

@@ -12,4 +12,8 @@ double legendHeight(const picture::Panel& panel, double width, const Fonts& font
 /// Draws it with its upper left corner there.
 void drawLegendBelow(drawing::Drawing& drawing, const picture::Panel& panel, dvec2 corner, double width, const Fonts& fonts);
 
+/// The text of a legend as prose: what stands before its colon, or all of it, is a formula between two $ if it compares two things, as
+/// in "d < z: in shadow". All other texts stay what they are. Stages name their colours in plain letters, which every legend can show.
+std::string legendProse(const std::string& label);
+
 } // namespace shadowlab::course

@@ -7,6 +7,7 @@
 
 #include "app/drawing/formula.h"
 #include "app/figures/figure_drawers.h"
+#include "app/figures/inks.h"
 #include "app/figures/map/eye_and_light_axes.h"
 #include "app/figures/panels.h"
 #include "app/figures/section_sheet.h"
@@ -27,8 +28,8 @@ constexpr double kBar = 30;        ///< pixels: thickness of the map
 constexpr double kMeasureText = 28; ///< of what is compared: larger than other words
 constexpr double kBarShare = 0.6, kPictureShare = 0.25; ///< of the way to the nearest thing, or to the point
 constexpr double kBeside = 20;                           ///< pixels from a line to what is measured along it
-constexpr const char *kEyeColor = "#1a1a1a", *kLightsColor = "#a06000", *kStoredColor = "#a06000",
-                     *kComparedColor = "#0072b2";
+constexpr const char *kEyeColor = ink::kEye, *kLightsColor = ink::kLight, *kStoredColor = ink::kLight,
+                     *kComparedColor = ink::kAsked;
 
 /// Depths as greys: near dark, far light, as a depth buffer is shown.
 std::string shade(double share) {
@@ -96,7 +97,7 @@ private:
             for (const auto& [from, to] :
                  {std::pair(first.rays[0], first.compared[0]), std::pair(last.rays[1], last.compared[1])}) {
                 const dvec2 end = sheet_.border(from, to - from);
-                drawing.line(sheet_(from), end, {"#a06000", 2, true});
+                drawing.line(sheet_(from), end, {ink::kLight, 2, true});
                 labels_.avoid(sheet_(from), end);
             }
         }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/figures/inks.h"
 #include "app/figures/panels.h"
 #include "app/figures/section_sheet.h"
 #include "techniques/foundation/base/look.h"
@@ -15,7 +16,7 @@ namespace {
 
 using Cell = MapProbe::Cell;
 
-const std::string kFan = "#fbe9c0", kStored = "#a06000", kCompared = "#0072b2";
+const std::string kFan = "#fbe9c0", kStored = ink::kLight, kCompared = ink::kAsked;
 
 const Cell* cellOfPoint(const MapProbe& map) {
     const auto found = std::ranges::find(map.near, map.texel, &Cell::texel);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/figures/figure_drawers.h"
+#include "app/figures/inks.h"
 #include "app/figures/panels.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/look.h"
@@ -16,7 +17,7 @@ constexpr double kPassesBorder = 24, kNumber = 130; ///< pixels; kNumber: of a c
 constexpr double kNamesWidth = 470;                 ///< of the words before the bars
 constexpr double kLeastRow = 34, kMostRow = 140;
 constexpr double kWidePasses = 1200; ///< from which width on there is room for larger type
-constexpr const char *kFromEye = "#0072b2", *kOfLight = "#a06000";
+constexpr const char* kFromEye = "#4d4d4d"; ///< a lighter ink::kEye: of a large area
 
 std::string thousands(std::uint64_t number) {
     std::string text = std::to_string(number);
@@ -69,7 +70,7 @@ Diagram drawPassesFigure(const FigureSource& source) {
                      std::to_string(i + 1) + (isMap ? ". from light " + source.scene.light(pass.light).name + ": depth map"
                                                     : ". from the eye: the image"),
                      {.size = type});
-        drawing.rectangle({left, at.y + 8}, {std::max(width, 1.0), row - 16}, isMap ? kOfLight : kFromEye, {"", 0, false});
+        drawing.rectangle({left, at.y + 8}, {std::max(width, 1.0), row - 16}, isMap ? ink::kLight : kFromEye, {"", 0, false});
         drawing.text({left + width + 12, foot}, thousands(pass.triangles), {.size = type, .isBold = true});
         at.y += row;
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/figures/figure_drawers.h"
+#include "app/figures/inks.h"
 #include "app/figures/panels.h"
 #include "app/figures/section_sheet.h"
 #include "techniques/foundation/base/error.h"
@@ -127,7 +128,7 @@ void drawShadows(drawing::Drawing& drawing, drawing::Labels& labels, const Secti
             const dvec2 shadow = sheet(end * plane.along);
             const dvec2 from =
                 sheet.light().isDirection ? sheet(place) + (sheet(place) - shadow) : sheet(sheet.light().at);
-            drawing.line(from, shadow, {drawing::colorText(look::kRefractionRay), 2.5, true});
+            drawing.line(from, shadow, {ink::kLight, 2.5, true});
             labels.avoid(from, shadow);
         }
     drawing.endClip();
@@ -173,9 +174,9 @@ void drawCovers(drawing::Drawing& drawing, drawing::Labels& labels, const Sectio
 void drawNormal(drawing::Drawing& drawing, drawing::Labels& labels, const PlaneCut& plane, dvec2 from) {
     if (glm::length(plane.gradient) < 0.05) return; // it points out of the paper
     const dvec2 tip = from + 90.0 * dvec2(plane.gradient.x, -plane.gradient.y);
-    drawing.arrow(from, tip, {"#0072b2", 3.5, false});
+    drawing.arrow(from, tip, {ink::kNormal, 3.5, false});
     labels.avoid(from, tip);
-    labels.place(drawing, tip, "N", {.size = drawing::kLetter, .isBold = true, .color = "#0072b2"}, 14);
+    labels.place(drawing, tip, "N", {.size = drawing::kLetter, .isBold = true, .color = ink::kNormal}, 14);
 }
 
 void writePlaneNumbers(drawing::Drawing& drawing, const drawing::Box& area, const Probe& probe, const image::Font& font) {
@@ -256,7 +257,7 @@ void drawPlane(drawing::Drawing& drawing, const drawing::Box& area, const Probe&
                       probe, font);
     using enum LegendEntry::Kind;
     const LegendEntry legend[] = {{line, kPlaneShadow, "projected shadow"},
-                                  {dashed, drawing::colorText(look::kRefractionRay), "its borders"},
+                                  {dashed, ink::kLight, "its borders"},
                                   {line, drawing::colorText(look::kOccluded), "light that does not arrive"},
                                   {line, drawing::colorText(look::kEqualDepth), "light that does"},
                                   {line, "#4d4d4d", "caster"},

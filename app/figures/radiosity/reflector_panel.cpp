@@ -18,6 +18,7 @@ constexpr double kReflectorWidth = 760, kReflectorGap = 40, kNumbersWidth = 1060
 constexpr double kLobeLabel = 30;                ///< em: indices are smaller than their letters
 constexpr double kTableRow = 38;                 ///< pixels from one line of numbers to the next
 constexpr double kLeastCosine = 0.02;            ///< of a direction that has light enough to be shown
+constexpr double kArrowStep = glm::pi<double>() / 12; ///< radians from one arrow to the next
 constexpr int kPieces = 90, kAvoidedPieces = 15; ///< of half a circle; so many are one line that labels avoid
 const std::string kJ = "\u2c7c";
 
@@ -40,6 +41,19 @@ Way shownWay(const PatchExchange& exchange, const dvec3& eyeWorld) {
     return way("the eye", eyeWorld);
 }
 
+/// The letter between two arrows, beyond the arc, where no line leads to it. In a narrow angle there is no room: it stands beside it.
+void nameAngle(drawing::Drawing& drawing, drawing::Labels& labels, dvec2 at, double radius, double phi) {
+    const drawing::TextStyle letter{.size = kLobeLabel, .anchor = drawing::Anchor::middle, .isItalic = true};
+    const double between = kArrowStep * (std::floor(0.5 * phi / kArrowStep) + 0.5), beyond = radius + kLobeLabel;
+    if (between + 0.5 * kArrowStep > phi || beyond * kArrowStep < 1.4 * kLobeLabel) {
+        labels.place(drawing, at + radius * dvec2(std::sin(0.5 * phi), -std::cos(0.5 * phi)), "\u03c6", letter, 6);
+        return;
+    }
+    const dvec2 middle = at + beyond * dvec2(std::sin(between), -std::cos(between));
+    drawing.text(middle + dvec2(0, 0.3 * kLobeLabel), "\u03c6", letter);
+    labels.avoid({middle - 0.5 * kLobeLabel, dvec2(kLobeLabel)});
+}
+
 void drawLobes(drawing::Drawing& drawing, const drawing::Box& area, const Way& way, const image::Font& font) {
     const double most =
         std::min(area.size.y - 105, 0.46 * area.size.x); // of the length of an arrow: I dA along the normal
@@ -60,7 +74,7 @@ void drawLobes(drawing::Drawing& drawing, const drawing::Box& area, const Way& w
     drawing.path(lobe, true, "#fdf3dc", rim); // a light tint of look::kPatchJ
     drawing.path(equal, false, "", {"#1a1a1a", 2.5, true});
     for (int i = -5; i <= 5; ++i) {
-        const double angle = glm::radians(15.0 * i);
+        const double angle = kArrowStep * i;
         drawing.arrow(at, at + most * std::cos(angle) * toward(angle), thin);
         labels.avoid(at, at + most * std::cos(angle) * toward(angle));
     }
@@ -81,7 +95,7 @@ void drawLobes(drawing::Drawing& drawing, const drawing::Box& area, const Way& w
     labels.place(drawing, top, "N" + kJ, letter, 8);
     labels.place(drawing, shown, "I dA" + kJ + " cos \u03c6", letter, 12);
     labels.place(drawing, at + most * toward(-0.8), "I", letter, 8);
-    labels.place(drawing, at + radius * toward(0.5 * way.phi), "\u03c6 = " + degreesText(way.phi), letter, 6);
+    nameAngle(drawing, labels, at, radius, way.phi);
     labels.place(drawing, at - half * 0.9, "dA" + kJ, letter, 8);
 }
 
@@ -104,7 +118,7 @@ void writeReflectorNumbers(drawing::Drawing& drawing, const drawing::Box& area, 
     const double columns[] = {0, 185, 580, 750, 920, 936};
     double y = area.corner.y + kHeading + kTableRow;
     drawing.text({area.corner.x, y},
-                 "In every direction the same intensity I:   B = \u222b I cos \u03c6 d\u03c9 = \u03c0 I",
+                 "In every direction the same intensity I:   B = \u222b I cos \u03c6 d\u03c9 = \u03c0 I.   Here \u03c6 = " + degreesText(way.phi),
                  {.size = kText + 4});
     y += 1.15 * kTableRow;
     for (int i = 0; i < 3; ++i)

@@ -164,10 +164,11 @@ void drawFace(drawing::Drawing& drawing, const drawing::Box& area, const FigureS
         drawing.text(text + dvec2(color.empty() ? 0 : 28, 0), words, {.size = kText, .isBold = isBold});
         text.y += 1.3 * kText;
     };
+    // Rays are spread evenly over what the point sees: a ray to a far part of the light stands for more of its area than one to a near part.
     row(std::to_string(arrives) + " of " + std::to_string(sent) + " arrive", arriving(), false);
     row(std::to_string(sent - arrives) + (sent - arrives == 1 ? " is blocked" : " are blocked"), blocked(), false);
-    row("share of the light: " + percent(rays.sampledShare().value_or(0)), "", true);
-    row((rays.movers.empty() ? std::string("its exact share: ") : std::string("exact share, time 0: ")) +
+    row("seen of its area: " + percent(rays.sampledShare().value_or(0)), "", true);
+    row((rays.movers.empty() ? std::string("exactly: ") : std::string("exactly, at time 0: ")) +
             percent(rays.exactShare.value_or(0)),
         "", true);
 }

@@ -100,6 +100,24 @@ void drawLensShape(drawing::Drawing& drawing, const LensSheet& sheet, double ape
     drawing.path(rim, true, "#d6ebf7", {drawing::colorText(look::kDepthFail), 3, false}); // a light tint of that blue
 }
 
+/// Below the lens, because all rays begin in it and go to the right: a line that leads to the point from the left crosses none of them.
+/// A word a line: so the name stands left of the projection plane.
+void nameReferencePoint(drawing::Drawing& drawing, drawing::Labels& labels, const drawing::Box& area, dvec2 eye, double lensEnd,
+                        const image::Font& font) {
+    double foot = std::min(lensEnd + 1.6 * kText, area.corner.y + area.size.y - 2.8 * kText);
+    const dvec2 mark(eye - dvec2(9, 0)), beside(eye.x - 1.5 * kLensBulge, eye.y + kLensBulge), above(beside.x, foot - 1.05 * kText);
+    for (const auto& [from, to] : {std::pair(mark, beside), std::pair(beside, above)}) {
+        drawing.line(from, to, {"#8c8c8c", 1.5, false});
+        labels.avoid(from, to);
+    }
+    for (const char* word : {"Projection", "Reference", "Point"}) {
+        drawing.text({area.corner.x, foot}, word, {.size = kText});
+        const dvec2 size = drawing::textSize(font, word, kText);
+        labels.avoid({{area.corner.x, foot - size.y}, size + dvec2(0, 6)});
+        foot += 1.25 * kText;
+    }
+}
+
 } // namespace
 
 Diagram drawLens(const FigureSource& source) {
@@ -162,9 +180,9 @@ Diagram drawLens(const FigureSource& source) {
     const dvec2 rim = sheet({0, -0.5 * rays.aperture});
     labels.avoid({{eye.x - kLensBulge, sheet({0, 0.5 * rays.aperture}).y},
                   {2 * kLensBulge, rim.y - sheet({0, 0.5 * rays.aperture}).y}});
-    labels.place(drawing, rim, "Lens, " + fourDigits(rays.aperture) + " m", {.size = kText, .isBold = true}, 12);
+    nameReferencePoint(drawing, labels, area, eye, rim.y, source.font);
+    labels.place(drawing, sheet({0, 0.5 * rays.aperture}), "Lens, " + fourDigits(rays.aperture) + " m", {.size = kText, .isBold = true}, 12);
     labels.place(drawing, pixel, "pixel", {kText}, 14);
-    labels.place(drawing, eye, "Projection Reference Point", {kText}, 14);
     labels.place(drawing, focus, "all rays meet here", {kText}, 14);
     for (const RaysProbe::Sample& sample : rays.samples)
         if (sample.meets && sheet.sheared(sample.toWorld).x <= sheet.farthest &&

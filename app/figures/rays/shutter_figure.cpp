@@ -132,9 +132,9 @@ Diagram drawShutter(const FigureSource& source) {
         const double share = byTime[i]->time / rays.shutter;
         drawing.segments(outlines[i], {drawing::colorText(look::colorAt(look::viridis(), 0.9 * share)), 3, false});
     }
-    for (const std::vector<dvec2>* outline : {&outlines.front(), &outlines.back()})
-        for (std::size_t i = 0; i + 1 < outline->size(); i += 2)
-            labels.avoid((*outline)[i], (*outline)[i + 1]);
+    for (const std::vector<dvec2>& outline : outlines)
+        for (std::size_t i = 0; i + 1 < outline.size(); i += 2)
+            labels.avoid(outline[i], outline[i + 1]);
     // Its way, from the first of these times to the last.
     const scene::Bounds box = scene::boundsWorld(mover);
     const dvec3 centre = 0.5 * (box.lowerWorld + box.upperWorld);

@@ -111,8 +111,14 @@ std::string paleColor(const vec3& linear, double paleness) {
     return drawing::colorText(mixed);
 }
 
+SideColors facingColors(double paleness) {
+    return {paleColor(look::kTowardLight, paleness), paleColor(look::kAwayFromLight, paleness)};
+}
+
+SideColors capColors(double paleness) { return {paleColor(look::kTopCap, paleness), paleColor(look::kOtherLight, paleness)}; }
+
 void drawTriangles(drawing::Drawing& drawing, const SpaceView& view, const CasterSolid& solid,
-                   std::span<const std::size_t> triangles, double paleness) {
+                   std::span<const std::size_t> triangles, const SideColors& colors) {
     const bool isClosed = solid.isClosed(), isMirrored = scene::isMirrored(*solid.object);
     struct Seen {
         double depth;
@@ -124,8 +130,6 @@ void drawTriangles(drawing::Drawing& drawing, const SpaceView& view, const Caste
         seen.push_back({view.depth(solid.centre(t)), t});
     }
     std::ranges::stable_sort(seen, std::greater<>(), &Seen::depth);
-    const std::string toward = paleColor(look::kTowardLight, paleness),
-                      away = paleColor(look::kAwayFromLight, paleness);
     const bool isCoarse = seen.size() < kCoarse;
     std::vector<dvec2> run; // of one colour
     for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -133,7 +137,7 @@ void drawTriangles(drawing::Drawing& drawing, const SpaceView& view, const Caste
         for (const dvec3& corner : solid.corners(seen[i].triangle))
             corners.push_back(view(corner));
         const bool facesLight = solid.facesLight(seen[i].triangle);
-        const std::string& color = facesLight ? toward : away;
+        const std::string& color = facesLight ? colors.toward : colors.away;
         if (isCoarse) {
             drawing.path(corners, true, color, {"#8c8c8c", 1, false});
             continue;

@@ -38,10 +38,19 @@ CasterSolid casterSolid(const FigureSource& source, bool shadowing);
 /// The triangle of that object which lies nearest to the picked pixel's point.
 std::size_t nearestTriangle(const CasterSolid& solid, const dvec3& pointWorld);
 
-/// Paints triangles of the solid from back to front, in the colours of their sides. Edges of coarse meshes are drawn.
-/// `paleness` 0..1: how far toward white.
+/// The colours of a solid's triangles: of those that face the light, and of the others.
+struct SideColors {
+    std::string toward, away;
+};
+/// By the side that the light sees. `paleness` 0..1: how far toward white.
+SideColors facingColors(double paleness);
+/// By what they are of a shadow volume: those that face the light are its top cap, in the colour that the outside view gives it. The
+/// others are grey: its bottom cap is where they have been moved to.
+SideColors capColors(double paleness);
+
+/// Paints triangles of the solid from back to front. Edges of coarse meshes are drawn.
 void drawTriangles(drawing::Drawing& drawing, const SpaceView& view, const CasterSolid& solid,
-                   std::span<const std::size_t> triangles, double paleness);
+                   std::span<const std::size_t> triangles, const SideColors& colors);
 
 /// Is anything of these triangles on the way from the place to the viewer?
 bool isHidden(const CasterSolid& solid, const dvec3& placeWorld, const dvec3& towardViewerWorld);

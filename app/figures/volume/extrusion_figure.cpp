@@ -5,6 +5,7 @@
 
 #include "app/drawing/prose.h"
 #include "app/figures/figure_drawers.h"
+#include "app/figures/inks.h"
 #include "app/figures/panels.h"
 #include "app/figures/volume/volume_sketch.h"
 #include "techniques/foundation/base/error.h"
@@ -65,7 +66,7 @@ Diagram drawExtrusionFigure(const FigureSource& source) {
     const dvec2 light = sketch.lightIsNear()
                             ? view(sketch.drawnLight())
                             : view(p + glm::length(sketch.drawnLight() - p) * glm::normalize(solid.toLight(p)));
-    const drawing::Stroke ray{"#a06000", 4, false}, way{drawing::colorText(look::kVolumeSide), 6, false};
+    const drawing::Stroke ray{ink::kLight, 4, false}, way{drawing::colorText(look::kVolumeSide), 6, false};
     drawing.arrow(light, at, ray, 0.5);
     if (!sketch.lightIsNear()) drawing.breakMark(glm::mix(light, at, 0.2), at - light, ray);
     drawing.arrow(at, to, way);

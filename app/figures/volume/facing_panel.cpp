@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/figures/inks.h"
 #include "app/figures/panels.h"
 #include "techniques/foundation/base/look.h"
 
@@ -19,8 +20,6 @@ constexpr double kToLight = 1.05;        ///< likewise of L, where the light is 
 constexpr double kNear = 2.2;            ///< likewise
 constexpr double kNeighbours = 0.62;     ///< paleness
 constexpr dvec2 kFacingMargin{52, 52};   ///< pixels for labels
-constexpr const char* kNormalColor = "#0072b2";
-constexpr const char* kLightColor = "#a06000";
 
 } // namespace
 
@@ -106,7 +105,7 @@ SpaceView FacingPanel::viewFrom(const dvec3& towardViewerWorld, double mostPixel
 }
 
 void FacingPanel::drawPolygons(drawing::Drawing& drawing, drawing::Labels& labels) const {
-    drawTriangles(drawing, *view_, solid_, around_, kNeighbours);
+    drawTriangles(drawing, *view_, solid_, around_, facingColors(kNeighbours));
     for (const std::size_t polygon : polygons_) {
         std::vector<dvec2> corners;
         for (const dvec3& corner : solid_.corners(polygon))
@@ -124,15 +123,15 @@ void FacingPanel::drawPolygons(drawing::Drawing& drawing, drawing::Labels& label
 
 void FacingPanel::drawVectors(drawing::Drawing& drawing, drawing::Labels& labels) const {
     const dvec2 p = (*view_)(pWorld_), light = (*view_)(lightTipWorld_);
-    drawing.arrow(p, light, {kLightColor, 4, false}, lightIsNear_ ? 0.6 : 0.55);
+    drawing.arrow(p, light, {ink::kLight, 4, false}, lightIsNear_ ? 0.6 : 0.55);
     labels.avoid(p, light);
-    if (!lightIsNear_) drawing.breakMark(glm::mix(p, light, 0.8), light - p, {kLightColor, 3, false});
+    if (!lightIsNear_) drawing.breakMark(glm::mix(p, light, 0.8), light - p, {ink::kLight, 3, false});
     const drawing::TextStyle letter{.size = drawing::kLetter, .isBold = true};
     std::vector<std::pair<dvec2, std::string>> tips;
     for (std::size_t i = 0; i < polygons_.size(); ++i) {
         const dvec3 foot = edge_ ? solid_.centre(polygons_[i]) : pWorld_;
         const dvec2 from = (*view_)(foot), to = (*view_)(foot + kNormal * reach_ * solid_.normal(polygons_[i]));
-        drawing.arrow(from, to, {kNormalColor, 4, false});
+        drawing.arrow(from, to, {ink::kNormal, 4, false});
         labels.avoid(from, to);
         tips.emplace_back(to, edge_ ? std::to_string(i + 1) : "");
     }
@@ -141,11 +140,11 @@ void FacingPanel::drawVectors(drawing::Drawing& drawing, drawing::Labels& labels
     drawLightSign(drawing, labels, *view_, lightTipWorld_, "");
     for (const auto& [tip, index] : tips) {
         drawing::TextStyle style = letter;
-        style.color = kNormalColor;
+        style.color = ink::kNormal;
         labels.place(drawing, tip, drawing::LabelText{"N", index, ""}, style, 8);
     }
     drawing::TextStyle style = letter;
-    style.color = kLightColor;
+    style.color = ink::kLight;
     labels.place(drawing, glm::mix(p, light, lightIsNear_ ? 0.5 : 0.42), "L", style, 10);
     labels.place(drawing, p, "P", letter, 12);
 }

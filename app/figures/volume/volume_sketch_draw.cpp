@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "app/figures/inks.h"
 #include "app/figures/panels.h"
 #include "app/figures/volume/volume_sketch.h"
 #include "techniques/foundation/base/look.h"
@@ -136,7 +137,7 @@ void VolumeSketch::drawVolume(drawing::Drawing& drawing, drawing::Labels& labels
     std::vector<std::size_t> all(solid_.triangles());
     for (std::size_t t = 0; t < all.size(); ++t)
         all[t] = t;
-    drawTriangles(drawing, *view_, solid_, all, paleness);
+    drawTriangles(drawing, *view_, solid_, all, capColors(paleness));
     drawStrips(drawing, true, opacity);
     std::vector<dvec2> curve, outline;
     for (const dvec3& place : curveWorld_)
@@ -167,7 +168,7 @@ void VolumeSketch::drawLight(drawing::Drawing& drawing, drawing::Labels& labels,
         for (const dvec3* border : borders)
             if (border) {
                 const dvec2 from = lightIsNear_ ? light : light + (*view_)(*border) - (*view_)(solid_.centre(0));
-                drawing.line(lightIsNear_ ? light : from, (*view_)(*border), {"#a06000", 2, true});
+                drawing.line(lightIsNear_ ? light : from, (*view_)(*border), {ink::kLight, 2, true});
                 labels.avoid(from, (*view_)(*border));
             }
     }

@@ -11,9 +11,9 @@ namespace shadowlab::look {
 /// sRGB 0..255 to the linear light that pictures are computed in.
 vec3 linearFromSrgb8(int r, int g, int b);
 
-// Which side of a triangle faces the light (sign of N.L).
+// Which side of a triangle faces the light (sign of N.L). Turned away it has the same colour where the truth is shown (kTurnedAway).
 inline const vec3 kTowardLight = linearFromSrgb8(0xF0, 0xE4, 0x42);
-inline const vec3 kAwayFromLight = linearFromSrgb8(0x56, 0xB4, 0xE9);
+inline const vec3 kAwayFromLight = linearFromSrgb8(0x56, 0x6B, 0x8C);
 
 // Edges of a caster as the light sees it.
 inline const vec3 kSilhouette = linearFromSrgb8(0xD5, 0x5E, 0x00);
@@ -83,9 +83,11 @@ inline const vec3 kStray = linearFromSrgb8(0xCC, 0x79, 0xA7);
 // The true visibility.
 inline const vec3 kLit = linearFromSrgb8(0xF2, 0xF2, 0xF2);
 inline const vec3 kShadowed = linearFromSrgb8(0x38, 0x38, 0x3C);
-inline const vec3 kTurnedAway = linearFromSrgb8(0x56, 0x6B, 0x8C);
+inline const vec3 kTurnedAway = kAwayFromLight;
 inline const vec3 kNoSurface = linearFromSrgb8(0x0C, 0x0C, 0x0E);
-inline const vec3 kTrueOutline = linearFromSrgb8(0x56, 0xB4, 0xE9); ///< where shadows end by it, on any picture
+// Where shadows end by it: black, as drawings have that curve, with a white rim that is seen on dark pictures.
+inline const vec3 kTrueOutline = linearFromSrgb8(0x1A, 0x1A, 0x1A);
+inline const vec3 kTrueOutlineRim = linearFromSrgb8(0xF2, 0xF2, 0xF2);
 
 /// A palette: evenly spaced stops, linear RGB.
 using Palette = std::array<vec3, 9>;
