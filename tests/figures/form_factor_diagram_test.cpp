@@ -159,7 +159,7 @@ TEST(FormFactorDiagramTest, LabelsAreReadableAndCoverNoOtherWhereverThePatchesLi
         EXPECT_GE(all.size(), 50u) << arrangement.name << ": labels are missing";
         for (const char* text : {"N\u2c7c", "N\u2096", "I dA\u2c7c cos \u03c6", "dA\u2c7c"})
             EXPECT_TRUE(says(drawing, text)) << arrangement.name << ": " << text;
-        EXPECT_TRUE(says(drawing, ".   Here \u03c6 = ")) << arrangement.name << ": the angle has its number";
+        EXPECT_NE(drawing.find(">\u03c6 = "), std::string::npos) << arrangement.name << ": the angle has its number";
         for (std::size_t i = 0; i < all.size(); ++i) {
             EXPECT_GE(all[i].em, 24) << all[i].text << ": 1/45 of a slide of 1080 pixels";
             EXPECT_GE(all[i].box.corner.x, 0) << arrangement.name << ": " << all[i].text;

@@ -118,9 +118,10 @@ void writeReflectorNumbers(drawing::Drawing& drawing, const drawing::Box& area, 
     const double columns[] = {0, 185, 580, 750, 920, 936};
     double y = area.corner.y + kHeading + kTableRow;
     drawing.text({area.corner.x, y},
-                 "In every direction the same intensity I:   B = \u222b I cos \u03c6 d\u03c9 = \u03c0 I.   Here \u03c6 = " + degreesText(way.phi),
+                 "In every direction the same intensity I:   B = \u222b I cos \u03c6 d\u03c9 = \u03c0 I",
                  {.size = kText + 4});
     y += 1.15 * kTableRow;
+    drawing.text({area.corner.x + columns[1], y}, "\u03c6 = " + degreesText(way.phi), style);
     for (int i = 0; i < 3; ++i)
         drawing.text({area.corner.x + columns[2 + i], y},
                      std::array{"red", "green", "blue"}[static_cast<std::size_t>(i)],

@@ -19,7 +19,7 @@ using judge::OutlineSegment;
 
 // Narrower than other lines: they are looked at, this one is looked past, at the shadow's edge on either side of it.
 constexpr float kNarrower = 2.0f / 3;
-constexpr float kRimWidth = 1.6f; ///< of the line's own: narrow, so that the line is seen as black
+constexpr float kRimWidth = 2; ///< of the line's own: one pixel on each side of two
 
 double squaredDistance(const dvec2& point, const OutlineSegment& segment) {
     const dvec2 along = segment.to - segment.from, offset = point - segment.from;
@@ -64,7 +64,7 @@ Panel shadowOutlinePanel(image::Image picture, const std::vector<OutlineSegment>
     const Region shown = judge::shownPart(region, size);
     const float half = 0.5f * kNarrower * lineWidth(size.y), halfRim = kRimWidth * half;
     const Grid<double> squared = squaredDistances(outline, size, shown, halfRim + 0.5);
-    const image::Color8 core = image::encoded(look::kTrueOutline), rim = image::encoded(look::kTrueOutlineRim);
+    const image::Color8 core = image::encoded(look::kTrueOutline), rim = image::encoded(look::kLineRim);
     for (int y = shown.corner.y; y < shown.corner.y + shown.size.y; ++y)
         for (int x = shown.corner.x; x < shown.corner.x + shown.size.x; ++x) {
             if (std::isinf(squared.at(x, y))) continue;

@@ -85,9 +85,8 @@ inline const vec3 kLit = linearFromSrgb8(0xF2, 0xF2, 0xF2);
 inline const vec3 kShadowed = linearFromSrgb8(0x38, 0x38, 0x3C);
 inline const vec3 kTurnedAway = kAwayFromLight;
 inline const vec3 kNoSurface = linearFromSrgb8(0x0C, 0x0C, 0x0E);
-// Where shadows end by it: black, as drawings have that curve, with a white rim that is seen on dark pictures.
-inline const vec3 kTrueOutline = linearFromSrgb8(0x1A, 0x1A, 0x1A);
-inline const vec3 kTrueOutlineRim = linearFromSrgb8(0xF2, 0xF2, 0xF2);
+// Where shadows end by it: a plain line, white with a dark rim in pictures, as that curve is black in drawings on paper.
+inline const vec3 kTrueOutline = linearFromSrgb8(0xFA, 0xFA, 0xFA);
 
 /// A palette: evenly spaced stops, linear RGB.
 using Palette = std::array<vec3, 9>;
