@@ -20,6 +20,8 @@ const std::string_view kHardStyle = R"(
 dialog { max-width: min(1100px, 96vw); border: 2px solid #000; padding: 1rem }
 dialog h2 { border: 0; margin: 0; padding: 0 }
 dialog img { display: block; width: 100%; border: 1px solid #666; image-rendering: pixelated }
+/* On a phone the long names of columns are broken, as other tables' are: they stand beside the numbers. */
+@media screen and (max-width: 700px) { .matrix td { white-space: normal } }
 @media print { .matrix { font-size: 7pt; line-height: 1.3 } .matrix th, .matrix td { padding: 1px 2px; position: static;
   white-space: normal; min-width: 0; print-color-adjust: exact; -webkit-print-color-adjust: exact } dialog { display: none } }
 )";

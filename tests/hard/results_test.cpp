@@ -85,6 +85,9 @@ TEST(HardResultsTest, ARunGoesOnWithWhatWasMadeOfTheSame) {
 TEST(HardResultsTest, TablesHaveEveryTechniqueAndSayWhatIsWrong) {
     const std::vector<CaseResult> results{made()};
     const std::string csv = matrixCsv(results), page = hardPage(results, "a <renderer>");
+    // The style of the table keeps its cells in one line; on a phone, where a cell begins with its column's name, it may not.
+    EXPECT_GT(page.find("@media screen and (max-width: 700px) { .matrix td { white-space: normal } }"), page.find(".matrix th, .matrix td {"));
+    EXPECT_NE(page.find(".matrix td { white-space: normal }"), std::string::npos);
     EXPECT_EQ(std::ranges::count(csv, '\n'), 4);
     EXPECT_NE(csv.find("P1,\"Above, \"\"it\"\"\",shadow-map,yes,wrong,99,99,0,0,44,50,2.25"), std::string::npos) << csv;
     for (const char* text : {"✗ 99", "44 core", "≈ 12", "href=\"pictures/P1-planar.png\"", "planar.clip=false",

@@ -62,7 +62,7 @@ body.keys { --keys: 2.2rem }
     top: calc(-100% * var(--top) / var(--high)) }
   .wordy { display: none }
   .told li { white-space: pre-wrap }
-  .told ol { margin: .4rem 0; padding-left: 2rem; font: 14px/1.5 'DejaVu Sans Mono', monospace }
+  .told ol { margin: .4rem 0; padding: 0; list-style: none; font: 14px/1.5 'DejaVu Sans Mono', monospace }
   section { background: #fff; max-width: none }
 }
 @media print {
