@@ -19,12 +19,11 @@ Frame::Frame(const scene::Snapshot& snapshot, const View& view, const gl::SceneB
     eye_.part = scene::picturePart(view.region.corner, view.region.size, view.size);
 }
 
-bool Frame::drawFinished() {
+bool Frame::drawFinished(bool ofAnyScene) {
     // Stages and steps are made of radiance, and so is a sum over several lights; a hole is cut where depth is written, which the
     // shader of finished pixels does not do.
-    if (!request_.finished || !request_.stages.empty() || request_.stopAfter || scene().lights.size() != 1 ||
-        buffers_.anyHoles())
-        return false;
+    const bool isSimple = scene().lights.size() == 1 && !buffers_.anyHoles();
+    if (!request_.finished || !request_.stages.empty() || request_.stopAfter || !(isSimple || ofAnyScene)) return false;
     makeFinished(request_.finished->color);
     finished_ = gl::Framebuffer(&request_.finished->color, &target_.depthStencil, "finished picture");
     return result_.isFinished = true;

@@ -80,11 +80,14 @@ public:
     [[nodiscard]] const gl::SceneBuffers& buffers() const { return buffers_; }
     [[nodiscard]] const gl::Target& target() const { return target_; }
     /// For a technique that is able to draw finished pixels, before its first pass: true if that is all that is wanted. The passes
-    /// then draw to request.finished instead of target().color; depth and stencil stay target()'s.
-    bool drawFinished();
+    /// then draw to request.finished instead of target().color; depth and stencil stay target()'s. `ofAnyScene`: also of several
+    /// lights, and of surfaces with holes, which the shader of finished pixels does not draw.
+    bool drawFinished(bool ofAnyScene = false);
     [[nodiscard]] bool drawsFinished() const { return result_.isFinished; }
     /// Within a pass of a frame that draws finished pixels: both pictures are drawn to, the one in shadow as well.
     void bindInShadowToo();
+    /// Where finished pixels go; for a technique that computes them on the processor.
+    [[nodiscard]] const gl::Texture2D& finishedPicture() const { return request_.finished->color; }
     /// The finished picture in which the light is hidden everywhere.
     [[nodiscard]] const gl::Texture2D& inShadow() const { return request_.finished->inShadow; }
     [[nodiscard]] Deadline deadline() const { return request_.deadline; }

@@ -1,4 +1,4 @@
-// The two roads to a picture (techniques/shading_passes.h) give the same one: radiance in floats, encoded at the end, and finished
+// The two roads to a picture (techniques/shading_passes.h; of ray tracing: techniques/ray_tracing/finished_picture.h) give the same one: radiance in floats, encoded at the end, and finished
 // pixels drawn at once.
 // SPDX-License-Identifier: MIT
 #include <string>
@@ -48,6 +48,8 @@ const std::vector<Variant>& variants() {
         {"shadow-map", {"filter=hard", "light-samples=4"}},
         {"shadow-map-exact", {}},
         {"shadow-map-alias-free", {}},
+        {"ray-traced", {}},
+        {"ray-traced", {"samples=4"}},
     };
     return all;
 }

@@ -59,6 +59,7 @@ public:
     [[nodiscard]] double done(bool withTrees) const;
 
     [[nodiscard]] ivec2 size() const { return size_; }
+    [[nodiscard]] const scene::Camera& camera() const { return camera_; }
     [[nodiscard]] const Grid<PixelHit>& points() const { return points_; }
     [[nodiscard]] const Grid<trace::Visibility>& visibility(int light) const {
         return visibility_[static_cast<std::size_t>(light)];

@@ -17,6 +17,7 @@
 #include "techniques/ray_tracing/described.h"
 #include "techniques/ray_tracing/display/stages.h"
 #include "techniques/ray_tracing/display/upload.h"
+#include "techniques/ray_tracing/finished_picture.h"
 #include "techniques/ray_tracing/params.h"
 #include "techniques/ray_tracing/picture.h"
 #include "techniques/ray_tracing/probe/pixel_probe.h"
@@ -46,6 +47,7 @@ public:
 
     Progress render(Frame& frame) override {
         restartIfChanged(frame);
+        frame.drawFinished(true);
         // Tracing draws nothing: a frame that stops after it is empty.
         gl::setBaselineState();
         frame.target().framebuffer.bind();
@@ -154,6 +156,8 @@ private:
 
     /// Shades again while rays are still being traced, and when a single pass is shown; otherwise the shaded picture is kept.
     void shade(Frame& frame, bool tracedAll) {
+        if (frame.drawsFinished() && !samplingParams_.isAnalytic() && !hasTrees() && !samplingParams_.areMany())
+            return shadeFinished(frame);
         const Surfaces& surfaces = scene_.surfaces();
         const int lights = static_cast<int>(frame.scene().lights.size());
         const bool stays = isShaded_ && !frame.wants("lights-off") && !frame.stopsAfter();
@@ -174,6 +178,26 @@ private:
                 },
                 light);
         isShaded_ = tracedAll;
+    }
+
+    /// All lights at once, in the last of the passes that shade.
+    void shadeFinished(Frame& frame) {
+        const int lights = static_cast<int>(frame.scene().lights.size());
+        const auto shade = [&] {
+            finished_.shade(scene_.surfaces(), picture_);
+            uploadFromBelow(frame.finishedPicture(), finished_.fromBelow(), picture_.size());
+        };
+        frame.pass(passInfo(kPasses, "lights-off"), [&] {
+            if (lights == 0) shade();
+        });
+        for (int light = 0; light < lights; ++light)
+            frame.pass(
+                passInfo(kPasses, "light"),
+                [&] {
+                    if (light + 1 == lights) shade();
+                },
+                light);
+        isShaded_ = false; // radiance is still to be made, should it be asked for
     }
 
     [[nodiscard]] bool hasTrees() const {
@@ -206,8 +230,7 @@ private:
                 finished =
                     sampled_.advance(scene_.surfaces(), sampling_.moving(), sampling_.analytic(), frame.view().camera,
                                      samplingParams_.settings(treeSettings(), frame.view().camera), frame.deadline());
-            if (sampled_.isComplete())
-                uploadFromBelow(frame.target().color, sampled_.radianceFromBelow(), sampled_.size());
+            if (sampled_.isComplete()) show(frame, sampled_.radianceFromBelow());
         });
         frame.count("samples", sampled_.samplesInAll(),
                     static_cast<double>(picture_.points().size()) * samplingParams_.pattern.count, "rays");
@@ -230,8 +253,11 @@ private:
         return finished;
     }
 
-    void show(const Frame& frame) const {
-        uploadFromBelow(frame.target().color, picture_.radianceFromBelow(), picture_.size());
+    void show(const Frame& frame) { show(frame, picture_.radianceFromBelow()); }
+    void show(const Frame& frame, const Grid<vec3>& radianceFromBelow) {
+        if (!frame.drawsFinished()) return uploadFromBelow(frame.target().color, radianceFromBelow, picture_.size());
+        finished_.encode(radianceFromBelow, frame.scene().exposure);
+        uploadFromBelow(frame.finishedPicture(), finished_.fromBelow(), picture_.size());
     }
 
     /// Of trees without random numbers.
@@ -253,6 +279,7 @@ private:
     SampledPicture sampled_;
     std::map<int, LightShares> shares_; ///< by light
     RayCounts counts_;
+    FinishedPicture finished_;
     bool isShaded_ = false, isFinished_ = true;
     gl::IdBuffer idBuffer_;
 };

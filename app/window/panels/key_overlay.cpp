@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,13 +19,14 @@ struct KeyRow {
     std::string_view group;
     std::string keys;
     const char* help;
+    float keysEm = 0; ///< room for the keys, in heights of type: the same for all rows of a group
 };
 
 std::vector<KeyRow> keyRows() {
     std::vector<KeyRow> rows;
     for (const Action& action : actions()) {
         if (rows.empty() || std::string_view(rows.back().help) != action.help) {
-            rows.push_back({action.group, action.keys, action.help});
+            rows.push_back({.group = action.group, .keys = action.keys, .help = action.help});
             continue;
         }
         std::string& keys = rows.back().keys;
@@ -45,8 +47,8 @@ constexpr std::array<std::array<const char*, 2>, 9> kMouse = {{{"left", "orbits;
                                                                {"wheel", "nearer, farther"},
                                                                {"drop", "a .json or .obj file: shows it"}}};
 
-constexpr float kKeysEm = 8.2f; ///< room for the longest name of keys
-constexpr float kColumnEm = 19; ///< width of a column at least: keys, and three or four words
+constexpr float kBesideKeysEm = 0.8f; ///< between the keys and what they do
+constexpr float kColumnEm = 16;       ///< width of a column at least: keys, and three or four words
 constexpr float kBetweenEm = 1; ///< columns
 constexpr float kRowEm = 0.35f; ///< between rows
 constexpr int kMostColumns = 4;
@@ -57,8 +59,17 @@ struct KeyColumns {
     std::vector<std::size_t> begins;
 };
 
+/// As wide as the widest keys of the group.
+void giveRoomToKeys(std::vector<KeyRow>& rows, const Theme& theme) {
+    std::map<std::string_view, float> widest;
+    for (const KeyRow& row : rows)
+        widest[row.group] = std::max(widest[row.group], theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, row.keys.c_str()).x);
+    for (KeyRow& row : rows)
+        row.keysEm = widest[row.group] / theme.em + kBesideKeysEm;
+}
+
 float rowHeight(const KeyRow& row, const Theme& theme, const KeyColumns& layout) {
-    const float room = layout.columnWidth - kKeysEm * layout.em;
+    const float room = layout.columnWidth - row.keysEm * layout.em;
     return theme.text->CalcTextSizeA(layout.em, FLT_MAX, room, row.help).y + kRowEm * layout.em;
 }
 
@@ -108,7 +119,8 @@ void keyOverlay(ivec2 windowSize, const Theme& theme) {
                      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
     std::vector<KeyRow> rows = keyRows();
     for (const auto& [what, does] : kMouse)
-        rows.push_back({"Mouse", what, does});
+        rows.push_back({.group = "Mouse", .keys = what, .help = does});
+    giveRoomToKeys(rows, theme);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const KeyColumns layout = largestThatFits(rows, theme, room);
@@ -127,7 +139,8 @@ void keyOverlay(ivec2 windowSize, const Theme& theme) {
             text(x, y - 1.3f * layout.em, kAccent, std::string(rows[i].group));
         }
         text(x, y, plain, rows[i].keys);
-        text(x + kKeysEm * layout.em, y, plain, rows[i].help, layout.columnWidth - kKeysEm * layout.em);
+        const float keys = rows[i].keysEm * layout.em;
+        text(x + keys, y, plain, rows[i].help, layout.columnWidth - keys);
         y += rowHeight(rows[i], theme, layout);
     }
     ImGui::End();

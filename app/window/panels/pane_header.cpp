@@ -60,8 +60,10 @@ Title titleOf(const WindowState& ui, int pane) {
         title.view = "compared: its wrong pixels";
         title.shortView = "compared";
     } else if (state.stage.isPass) {
-        title.view = "after: " + std::string(passInfo(info.passes, state.stage.id).title);
+        // Just after another technique was chosen, the step may be one that it does not have.
+        const auto pass = std::ranges::find(info.passes, state.stage.id, &PassInfo::id);
         title.shortView = "after a step";
+        title.view = pass == info.passes.end() ? title.shortView : "after: " + std::string(pass->title);
     } else if (state.stage.ofAnyLight().isPicture()) {
         title.view = "the finished picture";
         title.shortView = "finished";

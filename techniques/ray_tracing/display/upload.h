@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/gl/texture.h"
+#include "techniques/foundation/image/image.h"
 #include "techniques/ray_tracing/picture.h"
 
 namespace shadowlab::ray_tracing {
@@ -28,6 +29,11 @@ inline void uploadFromBelow(const gl::Texture2D& texture, const Grid<vec3>& colo
     texture.bind(0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGB, GL_FLOAT, colors.data());
+}
+inline void uploadFromBelow(const gl::Texture2D& texture, const Grid<image::Color8>& colors, ivec2 size) {
+    texture.bind(0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, colors.data());
 }
 
 } // namespace shadowlab::ray_tracing

@@ -48,9 +48,9 @@ void RepairPass::writeBits(const Frame& frame, const Repair& repair, const Stenc
     if (repair.flips.empty()) return;
     const gl::VertexArrayHandle points = gl::VertexArrayHandle::create();
     glBindVertexArray(points.id());
-    const gl::BufferHandle pixels = gl::uploadBuffer(GL_ARRAY_BUFFER, repair.flips);
+    const gl::BufferHandle pixels = gl::uploadBuffer(GL_ARRAY_BUFFER, std::vector<vec2>(repair.flips.begin(), repair.flips.end()));
     glEnableVertexAttribArray(0);
-    glVertexAttribIPointer(0, 2, GL_INT, 0, nullptr);
+    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
     frame.target().withoutColor.bind();
     glDepthFunc(GL_ALWAYS);
     glDepthMask(GL_FALSE);
