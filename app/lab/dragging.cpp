@@ -18,15 +18,15 @@ constexpr double kFarthestStep = 12;
 constexpr double kStepPixels = 4;  ///< the mouse's way is followed in steps of that length,
 constexpr int kMostSteps = 64;     ///< or in that many
 constexpr double kLargestGain = 8; ///< of a light far outside the picture
-constexpr double kLeastDepth = 0.1; ///< of the distance to the camera's target: what is nearer to the eye moves as if it were there
+constexpr double kLeastDepth = Hold().leastDepth;
 
 double heightPerDepth(const scene::Camera& camera) { return 2 * std::tan(glm::radians(camera.fovYDegrees) / 2); }
 
 /// What a pixel measures at the depth of a point, in a plane that faces the eye. Metres.
-double metresPerPixel(const scene::Camera& camera, ivec2 size, const dvec3& positionWorld) {
+double metresPerPixel(const scene::Camera& camera, ivec2 size, const dvec3& positionWorld, double leastDepth = kLeastDepth) {
     const PictureAxes axes = pictureAxes(camera);
     const double depth = std::abs(glm::dot(positionWorld - camera.positionWorld, axes.forwardWorld));
-    const double least = kLeastDepth * glm::length(camera.targetWorld - camera.positionWorld);
+    const double least = leastDepth * glm::length(camera.targetWorld - camera.positionWorld);
     return std::max(depth, least) * heightPerDepth(camera) / size.y;
 }
 
@@ -106,7 +106,7 @@ dvec3 step(const Hold& hold, const scene::Camera& camera, ivec2 size, const dvec
     case DragWay::picture: break;
     }
     const PictureAxes axes = pictureAxes(camera);
-    return hold.gain * metresPerPixel(camera, size, gripWorld) *
+    return hold.gain * metresPerPixel(camera, size, gripWorld, hold.leastDepth) *
            (byPixels.x * axes.rightWorld - byPixels.y * axes.upWorld);
 }
 
@@ -123,6 +123,12 @@ Hold holdOf(const scene::Camera& camera, ivec2 size, const scene::Scene& scene, 
         return hold;
     }
     if (markPixel) {
+        // A lamp beside the eye, or behind it, moves as what is looked at does: at its own depth a pixel would be next to nothing.
+        const dvec3 viewWorld = camera.targetWorld - camera.positionWorld;
+        if (glm::dot(handle.positionWorld - camera.positionWorld, viewWorld) < glm::dot(viewWorld, viewWorld)) {
+            hold.leastDepth = 1;
+            return hold;
+        }
         // The way from the mark to the picture's middle leads the thing there, too.
         const dvec2 middle = 0.5 * dvec2(size);
         if (const auto pixel = pixelOf(camera, size, handle.positionWorld))

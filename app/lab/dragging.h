@@ -25,6 +25,7 @@ struct Hold {
     dvec3 gripFromPlaceWorld{0.0}; ///< from the handle's place to the point that was taken hold of
     double side = 1;               ///< of a directional light: 1 before the scene, and -1 behind it, where the far side is held
     double gain = 1;               ///< of a thing outside the picture: how much farther it goes than the mouse
+    double leastDepth = 0.1;       ///< of the distance to the camera's target: what is nearer to the eye moves as if it were there
 };
 
 /// The way for a thing that is taken hold of at `gripWorld`. The ground serves where the eye sees it under the thing well enough.

@@ -161,6 +161,10 @@ void Pane::draw(picture::Session& session, const picture::PictureEncoder& encode
     converged_ = rendered.converged;
     progress_ = rendered.prepared;
     if (!converged_ && rendered.prepared < 1) return; // nothing drawn yet: the last picture stays
+    if (!converged_ && stage.isStage() && !stage.isDerived() && !picture::isPublished(rendered, stage.key)) {
+        progress_ = rendered.drawn; // what is solved while it is drawn has no stages before it is solved
+        return;
+    }
     if (asked.isPass) picture::requirePassRan(rendered, asked.key, *slot.info);
     encode(session, encoder, request, slot, stage, rendered);
     if (!frame.stopAfter) keepPasses(request, rendered.result.passes);

@@ -89,7 +89,8 @@ bool StageStrip::draw(picture::Session& session, const picture::PictureEncoder& 
     const picture::RenderedFrame rendered = session.render(slot, request.view, frame);
     progress_ = rendered.prepared < 1 ? rendered.prepared : rendered.drawn;
     takesLong_ = takesLong_ || !rendered.converged;
-    if (!rendered.converged && rendered.prepared < 1) return false; // nothing is drawn yet
+    const auto isThere = [&](const StageKey& stage) { return picture::isPublished(rendered, stage); };
+    if (!rendered.converged && (rendered.prepared < 1 || !std::ranges::all_of(frame.stages, isThere))) return false; // not yet
     for (std::size_t i = next_; i < last; ++i) {
         Thumbnail& thumbnail = thumbnails_[i];
         if (i == 0) {

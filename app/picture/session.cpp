@@ -65,6 +65,10 @@ judge::Rasterised Session::rasterise(const View& view) {
     return exact_.rasterise(snapshot_, buffers_, view);
 }
 
+bool isPublished(const RenderedFrame& rendered, const StageKey& key) {
+    return std::ranges::find(rendered.result.stages, key, &Stage::key) != rendered.result.stages.end();
+}
+
 const Stage& findStage(const RenderedFrame& rendered, const StageKey& key) {
     const auto found = std::ranges::find(rendered.result.stages, key, &Stage::key);
     if (found == rendered.result.stages.end())

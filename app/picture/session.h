@@ -79,6 +79,9 @@ private:
     ExactView exact_;
 };
 
+/// Was it? A technique that has not converged may have nothing to publish yet.
+bool isPublished(const RenderedFrame& rendered, const StageKey& key);
+
 /// What was published under that key. Throws std::logic_error if the technique did not publish a stage that it declares.
 const Stage& findStage(const RenderedFrame& rendered, const StageKey& key);
 

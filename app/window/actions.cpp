@@ -216,7 +216,7 @@ std::vector<std::string> runKeys(WindowState& ui) {
         // itself at Esc, before this.
         if (isPopupOpen() || (ui.hadPopup && press.key == GLFW_KEY_ESCAPE)) {
             if (press.key == GLFW_KEY_ESCAPE) {
-                closePopups();
+                if (isPopupOpen()) closePopups();
                 ran.emplace_back("leave-popup");
             }
             continue;

@@ -142,6 +142,25 @@ TEST(Dragging, ALampAboveTheEyeMoves) {
     EXPECT_NEAR(to->x, from->x, 4);
 }
 
+// A lamp beside the eye has next to no depth: measured there, hundreds of pixels of the mouse would move it by millimetres.
+TEST(Dragging, ALampBesideTheEyeMovesAsWhatIsLookedAtDoes) {
+    scene::Scene scene;
+    scene.lights.emplace_back();
+    scene.camera.positionWorld = {0, 1, 5};
+    scene.camera.targetWorld = {0, 1, 0};
+    const double metresPerPixel = 5 * 2 * std::tan(glm::radians(scene.camera.fovYDegrees) / 2) / kSize.y;
+    for (const double z : {4.9, 5.0, 6.0, 2.5}) { // before the eye, beside it, behind it; and half way to the target
+        scene.lights[0].positionWorld = {9, 1.5, z};
+        const Handle lamp = handles(scene, {}, scene.camera)[0];
+        const auto mark = edgeMarkOf(scene.camera, kSize, kMargin, lamp.positionWorld);
+        ASSERT_TRUE(mark);
+        const Hold hold = holdOf(scene.camera, kSize, scene, lamp, lamp.positionWorld, mark->pixel);
+        const dvec3 moved = draggedBy(hold, scene.camera, kSize, lamp.positionWorld, {-100, 0});
+        EXPECT_NEAR(moved.x, -100 * metresPerPixel, 1e-9) << z;
+        EXPECT_NEAR(moved.y, 0, 1e-9);
+    }
+}
+
 TEST(ObjectPicking, TheObjectUnderEachHandleIsFoundAndNothingElseIsBehindTheEye) {
     int found = 0, surfaces = 0;
     for (const std::string& name : scene::builtInScenes(context::assetsRoot())) {

@@ -196,6 +196,24 @@ TEST_F(LessonStateTest, WrongPixelsOfBothStatesAreKept) {
     EXPECT_EQ(changes[0].after, "receiver's plane at each texel") << "in words, as the panel has it";
 }
 
+// Radiosity that is solved while it is drawn has none of its stages before: the pane waits, and does not fail.
+TEST_F(LessonStateTest, AStageThatIsNotThereYetIsWaitedFor) {
+    Lab lab;
+    lab.screen.setPatience(std::chrono::milliseconds(0));
+    lab.screen.fit({640, 400}, 1);
+    window::openLesson(lab.ui, "energy-gain");
+    int waited = 0;
+    const lab::Pane& pane = lab.ui.bench.pane(0);
+    for (int i = 0; i < 4000 && (waited == 0 || !pane.picture().texture || pane.progress() < 1); ++i) {
+        lab.screen.frame(0.03);
+        waited += pane.progress() < 1;
+        ASSERT_EQ(pane.failure(), "");
+    }
+    EXPECT_GE(waited, 2);
+    EXPECT_TRUE(pane.picture().texture);
+    EXPECT_EQ(pane.picture().display.unit, "sum of form factors");
+}
+
 // Of a lesson about something else the band has the number itself, and not what it has to be.
 TEST_F(LessonStateTest, OtherNumbersAreMeasuredForTheBand) {
     Lab lab(false);

@@ -106,6 +106,18 @@ TEST_F(ScreenTest, EveryKeyHasOneMeaningAndRunsWithoutAFault) {
     EXPECT_TRUE(lab.ui.requests.quit && lab.ui.requests.screenshot && lab.ui.requests.saveScene);
 }
 
+// An open list that the arrows went through is closed by ImGui itself, before the key comes to the window.
+TEST_F(ScreenTest, EscAfterAListThatHasClosedByItselfDoesNothingElse) {
+    Lab lab(scene("still-life"), {640, 400});
+    lab.screen.frame(0.03);
+    lab.ui.hadPopup = true;
+    lab.ui.shown.magnifier = true;
+    lab.ui.keys.push_back({GLFW_KEY_ESCAPE, false, false, false, false});
+    lab.screen.frame(0.03);
+    EXPECT_EQ(lab.screen.ran(), std::vector<std::string>{"leave-popup"});
+    EXPECT_TRUE(lab.ui.shown.magnifier) << "one thing at a time";
+}
+
 TEST_F(ScreenTest, AWrongSettingLeavesTheLastPictureAndSaysWhy) {
     Lab lab(scene("sphere-on-plane"), {400, 260});
     settle(lab.screen);

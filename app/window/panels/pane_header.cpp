@@ -213,9 +213,11 @@ std::vector<std::string> verdictForms(const WindowState& ui, const lab::LiveErro
         light = lights[std::min(static_cast<std::size_t>(ui.bench.document().light), lights.size() - 1)].name + ": ";
     const bool hasTime = ui.live && ui.showsTimes && !ui.bench.pane(pane).showsAnother();
     const std::string time = hasTime ? ", " + std::to_string(std::lround(ui.bench.pane(pane).rendered().frameMs)) + " ms" : "";
-    if (ui.bench.document().panes[static_cast<std::size_t>(pane)].stage.isPass)
+    const picture::StageRef& stage = ui.bench.document().panes[static_cast<std::size_t>(pane)].stage;
+    if (stage.isPass)
         return {light + "a step, not judged" + time, light + "a step, not judged", light + "a step"};
     const lab::PaneErrors* const known = errors.errors(pane);
+    if (!known && stage.isOutside()) return {light + "from outside, not judged", light + "from outside", "outside"};
     if (!known) return {light + "not judged yet" + time, light + "not judged yet", light + "not judged"};
     const int wrong = known->counts.wrong();
     const std::string count = light + std::to_string(wrong) + " wrong";
