@@ -1,5 +1,8 @@
 // The window's picture without a window: keys, layouts, sizes and faults, and never a GL object lost.
 // SPDX-License-Identifier: MIT
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <set>
 #include <tuple>
 
