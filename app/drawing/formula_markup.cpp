@@ -1,7 +1,7 @@
 // Writes a formula as MathML Core (W3C, 2023), which browsers set themselves.
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <cstdio>
+#include <charconv>
 
 #include "app/drawing/formula_tree.h"
 #include "app/drawing/markup.h"
@@ -18,9 +18,9 @@ std::string element(const std::string& name, const std::string& content, const s
 }
 
 std::string space(double em) {
-    std::array<char, 32> width{};
-    std::snprintf(width.data(), width.size(), "%.3fem", em);
-    return "<mspace width=\"" + std::string(width.data()) + "\"></mspace>";
+    std::array<char, 32> width{}; // with a point in any language of the system
+    const auto end = std::to_chars(width.data(), width.data() + width.size(), em, std::chars_format::fixed, 3).ptr;
+    return "<mspace width=\"" + std::string(width.data(), end) + "em\"></mspace>";
 }
 
 /// Blanks at the ends of words count, which MathML leaves out.

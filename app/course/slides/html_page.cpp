@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/course/slides/pages.h"
-#include <array>
-#include <cstdio>
 
 #include "app/drawing/formula.h"
 #include "app/drawing/markup.h"
 #include "app/drawing/prose.h"
+#include "app/picture/verdict_reasons.h"
 
 namespace shadowlab::course {
 
@@ -157,10 +156,9 @@ std::string sheet(const PageSlide& page, double aspect) {
                               "\" src=\"data:image/png;base64," + drawing::base64(page.png) + "\">";
     const dvec2 corner = page.picturesAt.corner, size = page.picturesAt.size;
     if (size.x <= 0 || size.y <= 0) return "<div class=\"sheet wordy\">" + image + "</div>\n";
-    std::array<char, 128> place{};
-    std::snprintf(place.data(), place.size(), "--left: %.5f; --top: %.5f; --wide: %.5f; --high: %.5f; --shape: %.5f", corner.x,
-                  corner.y, size.x, size.y, aspect * size.x / size.y);
-    return "<div class=\"sheet\" style=\"" + std::string(place.data()) + "\">" + image + "</div>\n";
+    const auto place = [](const std::string& name, double share) { return "--" + name + ": " + picture::fixed(share, 5); };
+    return "<div class=\"sheet\" style=\"" + place("left", corner.x) + "; " + place("top", corner.y) + "; " + place("wide", size.x) + "; " +
+           place("high", size.y) + "; " + place("shape", aspect * size.x / size.y) + "\">" + image + "</div>\n";
 }
 
 } // namespace
