@@ -76,20 +76,19 @@ dvec3 stepLevel(const scene::Camera& camera, ivec2 size, const dvec3& gripWorld,
     return noLongerThan(right * acrossWorld + forward * awayWorld, longest);
 }
 
-/// A directional light turns about the camera's target as a ball does under the hand, always by the same angle for a pixel. Its place n
-/// on the ball goes the way d of the mouse: it rolls about the axis r across that way, d toward f, into the picture. Near the axis, where
-/// rolling moves nothing, it goes along d on the ball.
+/// A directional light turns about the camera's target, always by the same angle for a pixel. Its place n on the ball around the target
+/// goes the way d of the mouse as it does in the stereographic picture of the ball, whose middle m is the pole toward the eye, or, of a
+/// far side, the pole away from it: d is turned with the shortest turn that brings m to n. So its way is never against the mouse before
+/// the edge of the ball, goes on behind the edge, and nowhere is there an axis about which nothing moves.
 dvec3 stepTurn(const Hold& hold, const scene::Camera& camera, ivec2 size, const dvec3& placeWorld, const dvec2& byPixels) {
     const double pixels = glm::length(byPixels);
     if (pixels == 0) return dvec3(0.0);
     const PictureAxes axes = pictureAxes(camera);
     const dvec3 toLightWorld = placeWorld - camera.targetWorld;
-    const dvec3 n = glm::normalize(toLightWorld), f = axes.forwardWorld;
-    const dvec3 d = (byPixels.x * axes.rightWorld - byPixels.y * axes.upWorld) / pixels, r = glm::cross(d, f);
-    const double alongD = glm::dot(n, d), alongF = glm::dot(n, f), alongR = glm::dot(n, r);
-    const dvec3 rolled = hold.side * (alongF * -d + alongD * f), straight = d - alongD * n;
-    const double sense = hold.side * alongF <= 0 ? 1 : -1; // never against each other
-    const dvec3 way = glm::normalize(rolled + sense * alongR * alongR * straight);
+    const dvec3 n = glm::normalize(toLightWorld), m = -hold.side * axes.forwardWorld;
+    const dvec3 d = (byPixels.x * axes.rightWorld - byPixels.y * axes.upWorld) / pixels;
+    const double onePlusCosine = std::max(1 + glm::dot(m, n), 1e-12); // zero at the other pole, where every turn is as short
+    const dvec3 way = glm::normalize(d - glm::dot(d, n) / onePlusCosine * (m + n));
     const double radians = pixels * heightPerDepth(camera) / size.y;
     return glm::length(toLightWorld) * (std::cos(radians) * n + std::sin(radians) * way) - toLightWorld;
 }

@@ -139,6 +139,8 @@ void leave(WindowState& ui) {
         ui.selection = {};
     else if (closeAids(ui.shown))
         return;
+    else if (ui.shown.source)
+        toggleSource(ui);
     else if (outerMode(ui) != StoryMode::explore) // steps within a lesson or a slide
         leaveStory(ui);
     else if (const auto told = toldStage(ui))

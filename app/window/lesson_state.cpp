@@ -103,7 +103,7 @@ void openLesson(WindowState& ui, const std::string& nameOrPath, bool atItsEnd) {
     ui.lesson.chosen.reset();
     ui.lesson.painted.clear();
     ui.lesson.score.reset();
-    ui.lesson.wrong = {};
+    ui.lesson.judged = {};
     ui.lesson.measured = {};
     show(ui, atItsEnd ? steps.back() : steps.front());
 }
@@ -137,7 +137,7 @@ void leaveLesson(WindowState& ui) {
     ui.lesson.earlier.reset();
 }
 
-void keepWrongPixels(WindowState& ui, const lab::LiveErrors& errors) {
+void keepJudged(WindowState& ui, const lab::LiveErrors& errors) {
     LessonState& on = ui.lesson;
     if (!showsState(on)) return;
     const std::size_t state = on.step == LessonStep::remedy ? 1 : 0;
@@ -149,12 +149,14 @@ void keepWrongPixels(WindowState& ui, const lab::LiveErrors& errors) {
         found->judged.state.values() != meant.values() || found->judged.view.camera != on.shown.camera ||
         found->judged.light != on.shown.light || found->judged.snapshot != on.shown.scene)
         return;
-    on.wrong[state] = found->counts.wrong();
+    on.judged[state] = {found->counts.wrong(), found->edgeErrorPx, found->judged.view.size};
 }
+
+bool isAboutEdges(const Lesson& lesson) { return course::quantityOf(lesson.expectations.front()).id == "edgeErrorPx"; }
 
 bool isMeasuredApart(const Lesson& lesson) {
     const course::LessonQuantity& quantity = course::quantityOf(lesson.expectations.front());
-    return quantity.of != course::LessonQuantity::Of::visibility || !quantity.countsPixels();
+    return quantity.of != course::LessonQuantity::Of::visibility || !(quantity.countsPixels() || isAboutEdges(lesson));
 }
 
 bool measureShownState(WindowState& ui) {

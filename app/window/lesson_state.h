@@ -28,7 +28,13 @@ struct LessonState {
     std::optional<course::PredictionScore> score;
     std::vector<course::LessonChange> changes; ///< what its remedy changes
     lab::Document shown;                       ///< by the step on show, before anything was changed by hand
-    std::array<std::optional<int>, 2> wrong{}; ///< pixels of the artefact and of the remedy, as the window's judge found them
+    /// What the window's judge found of the artefact and of the remedy, in a picture of that size: in another one it is another number.
+    struct Judged {
+        int wrong = 0;                     ///< pixels
+        std::optional<double> edgeErrorPx; ///< none: no shadow ends in the picture
+        ivec2 pictureSize{0};
+    };
+    std::array<std::optional<Judged>, 2> judged{};
     std::array<std::string, 2> measured{};     ///< of a lesson about something else: that of its states; empty before it is known
 
     [[nodiscard]] bool isOn() const { return now.has_value(); }
@@ -46,9 +52,11 @@ void openLesson(WindowState& ui, const std::string& nameOrPath, bool atItsEnd = 
 void stepLesson(WindowState& ui, int by);
 /// Ends the lesson and restores what was shown before it.
 void leaveLesson(WindowState& ui);
-/// Keeps how many pixels of the state on show are wrong, once the judge has found it exactly.
-void keepWrongPixels(WindowState& ui, const lab::LiveErrors& errors);
-/// Is the lesson about a number that is measured in pictures of its own, not about pixels that the window's judge finds wrong?
+/// Keeps what the judge has found of the state on show, once it is exact.
+void keepJudged(WindowState& ui, const lab::LiveErrors& errors);
+/// Is the lesson about the edge error, which the window's judge finds?
+bool isAboutEdges(const course::Lesson& lesson);
+/// Is the lesson about a number that is measured in pictures of its own, not about one that the window's judge finds?
 bool isMeasuredApart(const course::Lesson& lesson);
 /// Measures that number for the state on show, in pictures of the lesson's size: 0.4 s at most on two cores. True if there was
 /// something to measure. For when all is drawn. Needs a current GL context.

@@ -122,7 +122,7 @@ void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, 
         drawWhole(list, texture, shown, true);
     else if (texture)
         drawFitted(list, texture, shown.area);
-    if (!judged) drawLegend(list, pane.picture(), shown.footer, theme);
+    if (!judged && !pane.showsAnother()) drawLegend(list, pane.picture(), shown.footer, theme);
     list.PopClipRect();
 
     list.PushClipRect(low, high, true);

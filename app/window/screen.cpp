@@ -140,7 +140,7 @@ bool Screen::frame(double seconds) {
     const bool judged = errors_.update(ui_.bench, pictures, clock_);
     if (const std::string failure = errors_.takeFailure(); !failure.empty())
         complain("errors cannot be found: " + failure);
-    keepWrongPixels(ui_, errors_);
+    keepJudged(ui_, errors_);
     const bool small = updateStrip(deadline, stripShape);
     const bool hasOtherBands = legends_.follow(ui_, errors_, story.pictures, theme_);
     const bool figured = figure_.update(ui_, story.figure.size, theme_.em, labels_);

@@ -161,6 +161,42 @@ TEST(Dragging, ALampBesideTheEyeMovesAsWhatIsLookedAtDoes) {
     }
 }
 
+// A sun nearly overhead, as that of hung-ring: a wheel's axis through it would let it go round in a small circle. It goes on in the
+// direction of the mouse up to the edge of the ball, wherever on it it begins, and comes back the way it went.
+TEST(Dragging, ASunNeverTurnsBackBeforeTheEdgeOfTheBall) {
+    scene::Scene scene;
+    scene.lights.emplace_back();
+    scene.lights[0].type = scene::LightType::directional;
+    scene.camera.positionWorld = {0, 3, 8};
+    scene.camera.targetWorld = {0, 0, 0};
+    const double reach = glm::length(scene.camera.positionWorld);
+    const dvec3 forward = -scene.camera.positionWorld / reach;
+    int drags = 0, steps = 0;
+    for (int azimuth = 0; azimuth < 360; azimuth += 15)
+        for (int elevation = 5; elevation <= 89; elevation += 7) {
+            const double a = glm::radians<double>(azimuth), e = glm::radians<double>(elevation);
+            const dvec3 start = reach * dvec3(std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a));
+            const Hold hold{.way = DragWay::turn, .side = glm::dot(start, forward) <= 0 ? 1.0 : -1.0};
+            for (int eighth = 0; eighth < 8; ++eighth, ++drags) {
+                const dvec2 mouse = 4.0 * direction(eighth);
+                dvec3 place = start;
+                int i = 0;
+                for (; i < 60; ++i) {
+                    const dvec3 moved = draggedBy(hold, scene.camera, kSize, place, mouse);
+                    if (hold.side * glm::dot(place + moved, forward) > 0) break; // over the edge
+                    EXPECT_GT(glm::dot(seenMovement(scene.camera, moved), mouse), 0) << azimuth << ' ' << elevation << ' ' << eighth;
+                    place += moved;
+                    ++steps;
+                }
+                for (; i > 0; --i) place += draggedBy(hold, scene.camera, kSize, place, -mouse);
+                // A step follows the tangent of a circle: there and back differ by what the circle bends within four pixels.
+                EXPECT_LT(glm::length(place - start), 0.02 * reach) << azimuth << ' ' << elevation << ' ' << eighth;
+            }
+        }
+    EXPECT_GE(drags, 2000);
+    EXPECT_GE(steps, 50000);
+}
+
 TEST(ObjectPicking, TheObjectUnderEachHandleIsFoundAndNothingElseIsBehindTheEye) {
     int found = 0, surfaces = 0;
     for (const std::string& name : scene::builtInScenes(context::assetsRoot())) {

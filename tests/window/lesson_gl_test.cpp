@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/context/assets.h"
+#include "app/lab/camera_control.h"
 #include "app/window/panels/story_page.h"
 #include "app/window/screen.h"
 #include "tests/support/gl_fixture.h"
@@ -177,23 +178,45 @@ TEST_F(LessonStateTest, WrongPixelsOfBothStatesAreKept) {
     lab.screen.setPatience(std::chrono::hours(1));
     lab.screen.fit({640, 400}, 1);
     const auto found = [&](std::size_t state) {
-        for (int i = 0; i < 4000 && !lab.ui.lesson.wrong[state]; ++i) {
+        for (int i = 0; i < 4000 && !lab.ui.lesson.judged[state]; ++i) {
             lab.screen.frame(0.03);
             std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }
-        return lab.ui.lesson.wrong[state];
+        return lab.ui.lesson.judged[state];
     };
     window::openLesson(lab.ui, "acne");
     ASSERT_TRUE(found(0));
-    EXPECT_FALSE(lab.ui.lesson.wrong[1]);
+    EXPECT_FALSE(lab.ui.lesson.judged[1]);
     window::stepLesson(lab.ui, 1);
     ASSERT_TRUE(found(1));
-    EXPECT_GT(*lab.ui.lesson.wrong[0], 10 * *lab.ui.lesson.wrong[1]) << "stripes all over, and a few at edges";
+    EXPECT_GT(lab.ui.lesson.judged[0]->wrong, 10 * lab.ui.lesson.judged[1]->wrong) << "stripes all over, and a few at edges";
     const std::vector<course::LessonChange> changes = course::changesOf(*lab.ui.lesson.now);
     ASSERT_EQ(changes.size(), 1u);
     EXPECT_EQ(changes[0].name, "Bias type");
     EXPECT_EQ(changes[0].before, "no bias");
     EXPECT_EQ(changes[0].after, "receiver's plane at each texel") << "in words, as the panel has it";
+}
+
+// A lesson about edges says in the band what the pane's header says: one number for one thing, in the picture on show.
+TEST_F(LessonStateTest, TheEdgeErrorIsThatOfThePictureOnShow) {
+    Lab lab(false);
+    lab.screen.setPatience(std::chrono::hours(1));
+    lab.screen.fit({640, 400}, 1);
+    window::openLesson(lab.ui, "grazing-light");
+    EXPECT_FALSE(window::isMeasuredApart(*lab.ui.lesson.now));
+    for (int i = 0; i < 4000 && !lab.ui.lesson.judged[0]; ++i) {
+        lab.screen.frame(0.03);
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    ASSERT_TRUE(lab.ui.lesson.judged[0] && lab.ui.lesson.judged[0]->edgeErrorPx);
+    const lab::PaneErrors* const shown = lab.screen.errors().errors(0);
+    ASSERT_TRUE(shown && shown->edgeErrorPx);
+    EXPECT_EQ(*lab.ui.lesson.judged[0]->edgeErrorPx, *shown->edgeErrorPx);
+    EXPECT_EQ(lab.ui.lesson.judged[0]->pictureSize, shown->judged.view.size);
+    EXPECT_TRUE(lab.screen.errors().areFinal(0));
+    lab.ui.bench.setCamera(lab::orbited(lab.ui.bench.document().camera, 5, 0));
+    lab.screen.frame(0.03);
+    EXPECT_FALSE(lab.screen.errors().areFinal(0)) << "it is now the number of another picture";
 }
 
 // Radiosity that is solved while it is drawn has none of its stages before: the pane waits, and does not fail.

@@ -61,6 +61,11 @@ public:
     /// Of the layout `diff`.
     [[nodiscard]] const JudgedPicture* difference() const { return difference_ ? &*difference_ : nullptr; }
     [[nodiscard]] const History& history() const { return history_; }
+    /// Are they exact, and of what is on show now? Else they are about to change.
+    [[nodiscard]] bool areFinal(int pane) const {
+        const PaneErrors* const known = errors(pane);
+        return known && known->exact && seen_ == exactFor_;
+    }
     /// Is every pane on show judged exactly?
     [[nodiscard]] bool isDone() const { return done_; }
     /// Why the last errors could not be found: said once. Empty: nothing new has failed.

@@ -5,6 +5,7 @@
 
 #include "app/course/lessons/lesson_figure.h"
 #include "app/course/lessons/lesson_quantities.h"
+#include "app/picture/verdict_reasons.h"
 #include "app/window/panels/panels.h"
 #include "app/window/panels/story_page.h"
 
@@ -68,14 +69,19 @@ std::string measuredLine(const LessonState& on, bool isRemedy) {
     return name + ":  " + (isRemedy && !found[0].empty() ? found[0] + " → " : std::string()) + now;
 }
 
-/// How many pixels are wrong.
+/// How many pixels are wrong, or how far edges are from where they belong: the numbers of the pane's header. That of the artefact stands
+/// beside the remedy's only where both pictures have one size.
 std::string countsLine(const LessonState& on, bool isRemedy) {
     if (isMeasuredApart(*on.now)) return measuredLine(on, isRemedy);
-    const auto count = [&](std::size_t state) {
-        return on.wrong[state] ? std::to_string(*on.wrong[state]) : std::string("being counted");
+    const bool isEdge = isAboutEdges(*on.now);
+    const auto value = [&](const LessonState::Judged& judged) {
+        return !isEdge ? std::to_string(judged.wrong) : judged.edgeErrorPx ? picture::fixed(*judged.edgeErrorPx, 2) : "none";
     };
-    if (!isRemedy) return "Wrong pixels:  " + count(0);
-    return "Wrong pixels:  " + (on.wrong[0] ? count(0) + " → " : std::string()) + count(1);
+    const std::string name = isEdge ? "Edge error (px):  " : "Wrong pixels:  ";
+    const auto& now = on.judged[isRemedy ? 1 : 0];
+    if (!now) return name + (isEdge ? "being found" : "being counted");
+    const bool hasBoth = isRemedy && on.judged[0] && on.judged[0]->pictureSize == now->pictureSize;
+    return name + (hasBoth ? value(*on.judged[0]) + " → " : std::string()) + value(*now);
 }
 
 StoryPage pageOf(const LessonState& on, LessonStep step) {

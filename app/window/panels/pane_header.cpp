@@ -204,7 +204,8 @@ bool viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, const Tit
 // distance of edges would say something else.
 constexpr double kLargestEdgeError = 5;
 
-/// "lamp: 404 wrong pixels, edge 0.21 px, 12 ms", and shorter: what is left out has the tooltip.
+/// "lamp: 404 wrong pixels, edge 0.21 px, 12 ms", and shorter: what is left out has the tooltip. A number of a moment ago, or one that
+/// counts ties, is written with a sign for "about".
 std::vector<std::string> verdictForms(const WindowState& ui, const lab::LiveErrors& errors, int pane) {
     if (ui.lesson.paints()) return {"judged when the truth is shown", "not judged yet"};
     const auto& lights = ui.bench.shownScene()->lights;
@@ -220,9 +221,12 @@ std::vector<std::string> verdictForms(const WindowState& ui, const lab::LiveErro
     if (!known && stage.isOutside()) return {light + "from outside, not judged", light + "from outside", "outside"};
     if (!known) return {light + "not judged yet" + time, light + "not judged yet", light + "not judged"};
     const int wrong = known->counts.wrong();
-    const std::string count = light + std::to_string(wrong) + " wrong";
+    const std::string about = errors.areFinal(pane) ? "" : "≈ ";
+    // A stage that shows no verdict, as a map or the picture without shadows, is not what is judged.
+    const std::string of = stage.isPicture() || stage.isJudged() ? "" : "finished: ";
+    const std::string count = light + of + about + std::to_string(wrong) + " wrong";
     const bool hasEdge = known->edgeErrorPx && *known->edgeErrorPx <= kLargestEdgeError;
-    const std::string edge = hasEdge ? picture::fixed(*known->edgeErrorPx, 2) + " px" : "";
+    const std::string edge = hasEdge ? about + picture::fixed(*known->edgeErrorPx, 2) + " px" : "";
     const std::string withEdge = count + (edge.empty() ? "" : ", " + edge);
     return {count + (wrong == 1 ? " pixel" : " pixels") + (edge.empty() ? "" : ", edge " + edge) + time,
             withEdge + time, withEdge, count};
@@ -235,11 +239,11 @@ std::string fitting(const std::vector<std::string>& forms, float width) {
     return cutTo(forms.back(), width);
 }
 
-void verdictTooltip(const lab::PaneErrors& known, const std::string& whole) {
-    ImGui::SetTooltip("%s\nof the whole picture: %d pixels lit that are in shadow, %d in shadow that are lit%s\n"
+void verdictTooltip(const lab::PaneErrors& known, const std::string& whole, bool isFinal) {
+    ImGui::SetTooltip("%s\nof the whole finished picture: %d pixels lit that are in shadow, %d in shadow that are lit%s\n"
                       "edge: how far on average the shadow's edge is from where it belongs, in pixels; not said where most wrong pixels "
                       "are elsewhere",
-                      whole.c_str(), known.counts.falseLit, known.counts.falseShadow, known.exact ? "" : "\nexact when all is at rest");
+                      whole.c_str(), known.counts.falseLit, known.counts.falseShadow, isFinal ? "" : "\n≈: of a moment ago; exact when all is at rest");
 }
 
 /// The verdict, and what is not finished yet at its right; in its place, where there is no room for both.
@@ -259,7 +263,7 @@ void verdict(const WindowState& ui, const lab::LiveErrors& errors, const PaneHea
         if (isBesideMenus && progress.empty()) ImGui::SetCursorPosX(std::max(left, right - ImGui::CalcTextSize(text.c_str()).x));
         ImGui::TextUnformatted(text.c_str());
         const lab::PaneErrors* const known = errors.errors(header.pane);
-        if (ImGui::IsItemHovered() && known && !ui.lesson.paints()) verdictTooltip(*known, forms.front());
+        if (ImGui::IsItemHovered() && known && !ui.lesson.paints()) verdictTooltip(*known, forms.front(), errors.areFinal(header.pane));
     }
     if (progress.empty()) return;
     if (hasVerdict) ImGui::SameLine();
@@ -275,7 +279,7 @@ float verdictRoom(const WindowState& ui, const lab::LiveErrors& errors, int pane
     float light = 0;
     for (const auto& one : lights)
         if (lights.size() > 1) light = std::max(light, ImGui::CalcTextSize((one.name + ": ").c_str()).x);
-    return light + ImGui::CalcTextSize("9999 wrong pixels, edge 0.00 px, 999 ms").x;
+    return light + ImGui::CalcTextSize("≈ 9999 wrong pixels, edge ≈ 0.00 px, 999 ms").x;
 }
 
 /// The pane that keys and panels are about, where there are several.
