@@ -48,6 +48,9 @@ const std::vector<Variant>& variants() {
         {"shadow-map", {"filter=hard", "light-samples=4"}},
         {"shadow-map-exact", {}},
         {"shadow-map-alias-free", {}},
+        {"planar", {}},
+        {"planar", {"stencil=false"}},
+        {"planar", {"cull=false"}},
         {"ray-traced", {}},
         {"ray-traced", {"samples=4"}},
     };

@@ -23,8 +23,11 @@ Progress Planar::render(Frame& frame) {
     buffers_.update(casters_);
     chooseFor(frame);
 
-    frame.pass(passInfo(kPasses, "lights-off"),
-               [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
+    // Shares of light and darkening twice are sums of radiance.
+    if (params_.once && std::ranges::none_of(scene.lights, [&](const scene::Light& light) { return isSampled(light); }))
+        frame.drawFinished();
+    constexpr int kOnlyLight = 0; // finished pixels are drawn of one light
+    frame.pass(passInfo(kPasses, "lights-off"), [&] { passes_.lightsOff(frame, kOnlyLight); });
     if (frame.wants("lights-off")) frame.publishTarget("lights-off");
     frame.pass(passInfo(kPasses, "tag-receivers"), [&] {
         findHidden(frame);
@@ -70,8 +73,9 @@ Progress Planar::render(Frame& frame) {
             passInfo(kPasses, "light"),
             [&] {
                 if (!isNeeded) return;
+                if (frame.drawsFinished()) return passes_.takeInShadow(frame, kMarkBit);
                 gl::setAddLightState();
-                drawLit(frame, sampled ? shadeCounted_ : shade_, light);
+                drawLit(frame, sampled ? shadeCounted_ : passes_.light(), light);
             },
             light);
     }

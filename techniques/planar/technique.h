@@ -10,6 +10,7 @@
 #pragma once
 #include "techniques/frame.h"
 #include "techniques/planar/flattening.h"
+#include "techniques/shading_passes.h"
 
 namespace shadowlab::planar {
 
@@ -108,8 +109,7 @@ private:
     std::map<int, CountedPoints> counted_;          ///< of lights that are sampled
     ViewCacheKey hiddenIn_;                         ///< the view that hidden_ is of
     HiddenFaces hidden_;                            ///< of all in view, those that no pixel shows
-    gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
-    gl::Program shade_{"surface.vert", "shade_light.frag"};
+    StencilledPasses passes_;
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
     gl::Program shadeCounted_{
         "surface.vert", "shade_light.frag", {}, {{"shadow_visibility.glsl", "planar/counted_points.glsl"}}};
