@@ -4,6 +4,7 @@
 
 #include "app/course/lessons/lesson.h"
 #include "app/course/lessons/lesson_quantities.h"
+#include "techniques/foundation/params/in_words.h"
 
 namespace shadowlab::course {
 
@@ -15,15 +16,6 @@ std::string valueOf(const lab::PaneState& state, const params::Param& param) {
     return found != state.values().end() ? found->second : params::initialText(param);
 }
 
-/// As the panel writes it: "on", "percentage-closer filtering", "2048 texels".
-std::string inWords(const std::string& value, const params::Param& param) {
-    if (param.kind == params::Kind::boolean) return value == "true" ? "on" : "off";
-    const auto choice = std::ranges::find(param.choices, value) - param.choices.begin();
-    if (choice < std::ssize(param.choiceNames) && !param.choiceNames[static_cast<std::size_t>(choice)].empty())
-        return param.choiceNames[static_cast<std::size_t>(choice)];
-    return value + (param.unit.empty() ? "" : " " + param.unit);
-}
-
 void addChangesOfSlot(std::vector<LessonChange>& changes, const lab::PaneState& before, const lab::PaneState& after) {
     if (before.technique != after.technique) {
         changes.push_back({"technique", std::string(findTechnique(before.technique).title),
@@ -33,7 +25,7 @@ void addChangesOfSlot(std::vector<LessonChange>& changes, const lab::PaneState& 
     const picture::Slot slot = picture::Session::makeSlot(before.technique);
     for (const params::Param& param : slot.params) {
         const std::string from = valueOf(before, param), to = valueOf(after, param);
-        if (from != to) changes.push_back({params::labelOf(param), inWords(from, param), inWords(to, param)});
+        if (from != to) changes.push_back({params::labelOf(param), params::inWords(from, param), params::inWords(to, param)});
     }
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "techniques/foundation/base/error.h"
+#include "techniques/foundation/params/in_words.h"
 #include "techniques/registry.h"
 
 namespace shadowlab::window {
@@ -19,15 +20,7 @@ bool isWide(const params::Param& param) {
     return param.minimum > 0 && param.maximum / param.minimum >= kLogarithmicFrom;
 }
 
-/// The value as the panel shows it: a choice in words, a number with its unit.
-std::string shownValue(const params::Param& param) {
-    const std::string id = params::valueText(param);
-    if (!param.choiceNames.empty()) {
-        const std::string& name = param.choiceNames[static_cast<std::size_t>(param.get())];
-        return name.empty() ? id : name;
-    }
-    return param.unit.empty() ? id : id + " " + param.unit;
-}
+std::string shownValue(const params::Param& param) { return params::inWords(params::valueText(param), param); }
 
 void tooltip(const params::Param& param, const Theme& theme) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
