@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "app/drawing/prose.h"
 #include "app/figures/figure_drawers.h"
 #include "app/figures/inks.h"
 #include "app/figures/panels.h"
@@ -51,10 +52,11 @@ Diagram drawPassesFigure(const FigureSource& source) {
         all += pass.triangles;
     }
     const bool isAll = renderings.size() == lights + 1; // else a light has several maps, or none
-    drawing.text(area.corner + dvec2(0, kHeading),
-                 "N = " + n + (lights == 1 ? " light: " : " lights: ") + (isAll ? "N + 1 = " : "") +
-                     std::to_string(renderings.size()) + " renderings",
-                 {.size = kHeading, .isBold = true});
+    const drawing::FormulaFonts fonts{source.font, source.bold};
+    drawing::drawProse(drawing, area.corner + dvec2(0, kHeading),
+                       "$N = " + n + "$" + (lights == 1 ? " light: " : " lights: ") +
+                           (isAll ? "$N + 1 = " + std::to_string(renderings.size()) + "$" : std::to_string(renderings.size())) + " renderings",
+                       {.size = kHeading, .isBold = true}, fonts);
     const double type = area.size.x > kWidePasses ? kText + 4 : kText, line = 1.4 * type;
     const double below = 4 * line + 16; // of the lines below the bars
     const double row = std::clamp((area.size.y - kHeading - 24 - below) / static_cast<double>(renderings.size()), kLeastRow, kMostRow);
@@ -78,14 +80,14 @@ Diagram drawPassesFigure(const FigureSource& source) {
         drawing.text(at + dvec2(0, kText), "and " + std::to_string(renderings.size() - rows) + " more", {.size = kText});
     const std::size_t added = passes.size() - renderings.size();
     at.y = std::min(at.y + line, area.corner.y + area.size.y - below + line);
-    for (const std::string& words : source.font.wrap(
+    for (const drawing::ProseLine& words : drawing::wrapProse(
              "This program adds the lights one by one, so that each can be looked at: the image takes a pass with all lights off and " +
                  std::to_string(added) + " more, one for each light. That is " + std::to_string(passes.size()) + " passes" +
-                 (passes.size() == 2 * lights + 1 ? ", 2N + 1" : "") + ", and " + thousands(all) +
+                 (passes.size() == 2 * lights + 1 ? ", $2N + 1$" : "") + ", and " + thousands(all) +
                  " polygons. A pass that adds a light draws what its map covers in part twice, inside and outside of it.",
-             type, static_cast<int>(area.size.x))) {
+             type, area.size.x, false, fonts)) {
         at.y += line;
-        drawing.text(at, words, {.size = type, .color = "#4d4d4d"});
+        drawing::drawProse(drawing, at, words, {.size = type, .color = "#4d4d4d"}, fonts);
     }
     return {std::move(drawing), "The renderings of a frame with " + n + " lights, and how many polygons each of them draws"};
 }

@@ -4,6 +4,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "app/drawing/prose.h"
 #include "app/figures/panels.h"
 #include "techniques/probed/patch_exchange.h"
 
@@ -33,24 +34,10 @@ public:
             write(kValues + kColor * i, fourDigits(values[i]), {.size = kText + 2});
         write(kValues + kColor * 3, unit, {.size = kText + 2});
     }
-    /// F_jk = cos phi_j cos phi_k / (pi r^2) dA_k, as a fraction.
+    /// What the lecture's formula is for small pieces.
     void formula(const std::string& value) {
-        const drawing::TextStyle style{.size = kText + 4};
-        const std::string above = "cos \u03c6\u2c7c cos \u03c6\u2096", below = "\u03c0 r\u00b2",
-                          name = "F\u2c7c\u2096 = ";
         y_ += 1.6 * kNumbersRow;
-        double x = 0;
-        write(x, name, style);
-        x += drawing::textSize(font_, name, style.size).x + 12;
-        const double width = drawing::textSize(font_, above, style.size).x;
-        const dvec2 bar = area_.corner + dvec2(x, y_ - 0.3 * style.size);
-        svg_.line(bar, bar + dvec2(width, 0), {"#1a1a1a", 2, false});
-        y_ -= 0.62 * style.size;
-        write(x, above, style);
-        y_ += 1.34 * style.size;
-        write(x + 0.5 * (width - drawing::textSize(font_, below, style.size).x), below, style);
-        y_ -= 0.72 * style.size;
-        write(x + width + 12, "dA\u2096  =  " + value, style);
+        write(0, "$F_{jk} = \\frac{\\cos\\phi_j \\cos\\phi_k}{\\pi r^2}\\, dA_k$ = " + value, {.size = kText + 4});
         y_ += 0.4 * kNumbersRow;
     }
 
@@ -58,9 +45,10 @@ private:
     static constexpr double kValues = 130,
                             kColor = 170; ///< pixels from the left where values begin, and from one to the next
     void write(double x, const std::string& text, const drawing::TextStyle& style) {
-        const std::vector<std::string> lines =
-            font_.wrap(text, style.size, static_cast<int>(area_.size.x - x - style.size));
-        svg_.text(area_.corner + dvec2(x, y_), lines.front() + (lines.size() > 1 ? "\u2026" : ""), style);
+        const drawing::FormulaFonts fonts{font_, font_};
+        std::vector<drawing::ProseLine> lines = drawing::wrapProse(text, style.size, area_.size.x - x - style.size, style.isBold, fonts);
+        if (lines.size() > 1) lines.front().pieces.push_back({"\u2026", false});
+        drawing::drawProse(svg_, area_.corner + dvec2(x, y_), lines.front(), style, fonts);
     }
     drawing::Drawing& svg_;
     const image::Font& font_;
@@ -83,13 +71,13 @@ void writeFormFactor(drawing::Drawing& drawing, const drawing::Box& area, const 
     column.heading("If all of j and k were at their centres");
     column.formula(fourDigits(cosJ * cosK / (glm::pi<double>() * r * r) * k.area));
     column.heading("In full, with what stands in between");
-    column.row("F\u2c7c\u2096", fourDigits(exchange.formFactorJk) + "  of the light of j reaches k");
-    column.row("F\u2096\u2c7c", fourDigits(exchange.formFactorKj) + "  of the light of k reaches j");
-    column.row("dA\u2c7c F\u2c7c\u2096",
-               fourDigits(j.area * exchange.formFactorJk) + " m\u00b2 = dA\u2096 F\u2096\u2c7c");
+    column.row("$F_{jk}$", fourDigits(exchange.formFactorJk) + "  of the light of j reaches k");
+    column.row("$F_{kj}$", fourDigits(exchange.formFactorKj) + "  of the light of k reaches j");
+    column.row("$dA_j F_{jk}$",
+               fourDigits(j.area * exchange.formFactorJk) + " m\u00b2 = $dA_k F_{kj}$");
     column.heading("What j gets from k: red, green, blue");
-    column.row("B\u2096", k.radiosity, "W/m\u00b2");
-    column.row("F\u2c7c\u2096 B\u2096", exchange.formFactorJk * k.radiosity, "W/m\u00b2");
+    column.row("$B_k$", k.radiosity, "W/m\u00b2");
+    column.row("$F_{jk} B_k$", exchange.formFactorJk * k.radiosity, "W/m\u00b2");
 }
 
 } // namespace shadowlab::figures

@@ -5,6 +5,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "app/drawing/prose.h"
 #include "app/figures/panels.h"
 #include "app/figures/radiosity/patch_view.h"
 #include "techniques/foundation/base/look.h"
@@ -29,17 +30,17 @@ double angleBetween(const dvec3& a, const dvec3& b) {
 
 /// The numbers of a room that has space for no more.
 std::string oneLine(const PatchExchange& exchange) {
-    return "r = " + fourDigits(glm::length(exchange.k->centreWorld - exchange.j.centreWorld)) +
-           " m,  F\u2c7c\u2096 = " + fourDigits(exchange.formFactorJk) +
-           ",  F\u2096\u2c7c = " + fourDigits(exchange.formFactorKj) +
-           ",  A\u2c7c F\u2c7c\u2096 = A\u2096 F\u2096\u2c7c = " + fourDigits(exchange.j.area * exchange.formFactorJk) +
+    return "$r$ = " + fourDigits(glm::length(exchange.k->centreWorld - exchange.j.centreWorld)) +
+           " m, $F_{jk}$ = " + fourDigits(exchange.formFactorJk) +
+           ", $F_{kj}$ = " + fourDigits(exchange.formFactorKj) +
+           ", $A_j F_{jk} = A_k F_{kj}$ = " + fourDigits(exchange.j.area * exchange.formFactorJk) +
            " m\u00b2";
 }
 
 /// What is drawn of one of the two surfaces.
 struct DrawnSurface {
     const PatchProbe* patch;
-    std::string letter, index, color; ///< the letter as an index
+    std::string letter, color;
     dvec3 toOtherWorld;               ///< unit, from its centre to that of the other one
     double magnified;
     dvec2 centre; ///< metres of the drawing
@@ -54,8 +55,8 @@ public:
         distance_ = glm::length(wayWorld);
         const dvec2 far = view_.of(view_.distanceShare * wayWorld);
         surfaces_ = {
-            DrawnSurface{&exchange.j, "j", "\u2c7c", drawing::colorText(look::kPatchJ), unit, view_.magnified[0], dvec2(0)},
-            DrawnSurface{&*exchange.k, "k", "\u2096", drawing::colorText(look::kPatchK), -unit, view_.magnified[1], far}};
+            DrawnSurface{&exchange.j, "j", drawing::colorText(look::kPatchJ), unit, view_.magnified[0], dvec2(0)},
+            DrawnSurface{&*exchange.k, "k", drawing::colorText(look::kPatchK), -unit, view_.magnified[1], far}};
         // Where they point at each other, normals must not meet.
         const double drawn = view_.distanceShare * distance_;
         normalLength_ = (surfaces_[0].phi() < 0.6 && surfaces_[1].phi() < 0.6 ? 0.4 : 0.6) * drawn;
@@ -157,16 +158,16 @@ private:
     }
 
     void label(drawing::Drawing& drawing) {
-        const drawing::TextStyle letter{.size = kLabel, .isItalic = true};
+        const drawing::TextStyle letter{.size = kLabel};
         for (const DrawnSurface& surface : surfaces_) {
-            labels_.place(drawing, onSheet(tip(surface)), "N" + surface.index, letter, 8);
+            labels_.place(drawing, onSheet(tip(surface)), "$\\mathbf{N}_" + surface.letter + "$", letter, 8);
             const double radius = kArcShare * std::min(normalLength_, 0.5 * view_.distanceShare * distance_);
             const dvec3 middle = glm::normalize(surface.patch->normalWorld + (1 + 1e-9) * surface.toOtherWorld);
             labels_.place(drawing, onSheet(surface.centre + radius * view_.of(middle)),
-                          "\u03c6" + surface.index + " = " + degreesText(surface.phi()), letter, 10);
+                          "$\\phi_" + surface.letter + "$ = " + degreesText(surface.phi()), letter, 10);
         }
         labels_.place(drawing, onSheet(0.5 * (surfaces_[0].centre + surfaces_[1].centre)),
-                      "r = " + fourDigits(distance_) + " m", letter, view_.distanceShare < 1 ? 18 : 8);
+                      "$r$ = " + fourDigits(distance_) + " m", letter, view_.distanceShare < 1 ? 18 : 8);
         for (const DrawnSurface& surface : surfaces_) {
             // At the corner that lies farthest from the other surface.
             const DrawnSurface& other = surfaces_[&surface == surfaces_.data() ? 1 : 0];
@@ -174,9 +175,9 @@ private:
             const dvec2 corner = std::ranges::max(
                 corners, {}, [&](dvec2 place) { return glm::dot(place, surface.centre - other.centre); });
             labels_.place(drawing, onSheet(corner),
-                          "Surface " + surface.letter + ", dA" + surface.index + " = " +
+                          "Surface $" + surface.letter + "$, $dA_" + surface.letter + "$ = " +
                               fourDigits(surface.patch->area) + " m\u00b2",
-                          {.size = kLabel, .isBold = true}, 8);
+                          letter, 8);
         }
     }
 
@@ -191,8 +192,7 @@ private:
 } // namespace
 
 void drawFormFactor(drawing::Drawing& drawing, const drawing::Box& area, const PatchExchange& exchange, const image::Font& font) {
-    drawing.text(area.corner + dvec2(0, kHeading),
-                 "Form factor F\u2c7c\u2096: the share of the light of j that reaches k",
+    drawing.text(area.corner + dvec2(0, kHeading), "Form factor: the share of the light of j that reaches k",
                  {.size = kHeading, .isBold = true});
     const double below = 1.4 * kText;
     const bool hasNumbers = area.size.x > kFigureWidth + kGap + kLeastNumbers;
@@ -206,7 +206,7 @@ void drawFormFactor(drawing::Drawing& drawing, const drawing::Box& area, const P
     if (!figure.liberties().empty()) drawing.text(foot - dvec2(0, below), figure.liberties(), small);
     if (figure.showsABack() && hasNumbers) drawing.text(foot, "white with a dashed rim: seen from behind", small);
     if (!hasNumbers) {
-        drawing.text(foot, oneLine(exchange), {.size = kText});
+        drawing::drawProse(drawing, foot, oneLine(exchange), {.size = kText}, {font, font});
         return;
     }
     writeFormFactor(drawing,

@@ -6,6 +6,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "app/drawing/prose.h"
 #include "app/figures/panels.h"
 #include "techniques/foundation/base/look.h"
 #include "techniques/probed/patch_exchange.h"
@@ -20,7 +21,6 @@ constexpr double kTableRow = 38;                 ///< pixels from one line of nu
 constexpr double kLeastCosine = 0.02;            ///< of a direction that has light enough to be shown
 constexpr double kArrowStep = glm::pi<double>() / 12; ///< radians from one arrow to the next
 constexpr int kPieces = 90, kAvoidedPieces = 15; ///< of half a circle; so many are one line that labels avoid
-const std::string kJ = "\u2c7c";
 
 /// The direction that is pointed out.
 struct Way {
@@ -42,15 +42,15 @@ Way shownWay(const PatchExchange& exchange, const dvec3& eyeWorld) {
 }
 
 /// The letter between two arrows, beyond the arc, where no line leads to it. In a narrow angle there is no room: it stands beside it.
-void nameAngle(drawing::Drawing& drawing, drawing::Labels& labels, dvec2 at, double radius, double phi) {
-    const drawing::TextStyle letter{.size = kLobeLabel, .anchor = drawing::Anchor::middle, .isItalic = true};
+void nameAngle(drawing::Drawing& drawing, drawing::Labels& labels, dvec2 at, double radius, double phi, const image::Font& font) {
+    const drawing::TextStyle letter{.size = kLobeLabel, .anchor = drawing::Anchor::middle};
     const double between = kArrowStep * (std::floor(0.5 * phi / kArrowStep) + 0.5), beyond = radius + kLobeLabel;
     if (between + 0.5 * kArrowStep > phi || beyond * kArrowStep < 1.4 * kLobeLabel) {
-        labels.place(drawing, at + radius * dvec2(std::sin(0.5 * phi), -std::cos(0.5 * phi)), "\u03c6", letter, 6);
+        labels.place(drawing, at + radius * dvec2(std::sin(0.5 * phi), -std::cos(0.5 * phi)), "$\\phi$", letter, 6);
         return;
     }
     const dvec2 middle = at + beyond * dvec2(std::sin(between), -std::cos(between));
-    drawing.text(middle + dvec2(0, 0.3 * kLobeLabel), "\u03c6", letter);
+    drawing::drawProse(drawing, middle + dvec2(0, 0.3 * kLobeLabel), "$\\phi$", letter, {font, font});
     labels.avoid({middle - 0.5 * kLobeLabel, dvec2(kLobeLabel)});
 }
 
@@ -91,15 +91,16 @@ void drawLobes(drawing::Drawing& drawing, const drawing::Box& area, const Way& w
         arc.push_back(at + radius * toward(way.phi * i / kPieces));
     drawing.path(arc, false, "", rim);
 
-    const drawing::TextStyle letter{.size = kLobeLabel, .isItalic = true};
-    labels.place(drawing, top, "N" + kJ, letter, 8);
-    labels.place(drawing, shown, "I dA" + kJ + " cos \u03c6", letter, 12);
-    labels.place(drawing, at + most * toward(-0.8), "I", letter, 8);
-    nameAngle(drawing, labels, at, radius, way.phi);
-    labels.place(drawing, at - half * 0.9, "dA" + kJ, letter, 8);
+    const drawing::TextStyle letter{.size = kLobeLabel};
+    labels.place(drawing, top, "$\\mathbf{N}_j$", letter, 8);
+    labels.place(drawing, shown, "$I\\, dA_j \\cos\\phi$", letter, 12);
+    labels.place(drawing, at + most * toward(-0.8), "$I$", letter, 8);
+    nameAngle(drawing, labels, at, radius, way.phi, font);
+    labels.place(drawing, at - half * 0.9, "$dA_j$", letter, 8);
 }
 
-void writeReflectorNumbers(drawing::Drawing& drawing, const drawing::Box& area, const PatchProbe& j, const Way& way) {
+void writeReflectorNumbers(drawing::Drawing& drawing, const drawing::Box& area, const PatchProbe& j, const Way& way,
+                           const image::Font& font) {
     struct Row {
         std::string name, meaning;
         dvec3 values;
@@ -107,28 +108,28 @@ void writeReflectorNumbers(drawing::Drawing& drawing, const drawing::Box& area, 
     };
     const dvec3 intensity = j.radiosity / glm::pi<double>();
     const std::vector<Row> rows = {
-        {"E" + kJ, "emitted", j.emission, "W/m\u00b2"},
-        {"\u03c1" + kJ, "reflected share", j.reflectance, ""},
-        {"B" + kJ, "radiosity", j.radiosity, "W/m\u00b2"},
-        {"I = B" + kJ + " / \u03c0", "intensity", intensity, "W/(m\u00b2 sr)"},
-        {"B" + kJ + " dA" + kJ, "radiant flux", j.radiosity * j.area, "W"},
-        {"I dA" + kJ + " cos \u03c6", "toward " + way.toward, intensity * j.area * std::cos(way.phi), "W/sr"},
+        {"$E_j$", "emitted", j.emission, "W/m\u00b2"},
+        {"$\\rho_j$", "reflected share", j.reflectance, ""},
+        {"$B_j$", "radiosity", j.radiosity, "W/m\u00b2"},
+        {"$I = B_j / \\pi$", "intensity", intensity, "W/(m\u00b2 sr)"},
+        {"$B_j\\, dA_j$", "radiant flux", j.radiosity * j.area, "W"},
+        {"$I\\, dA_j \\cos\\phi$", "toward " + way.toward, intensity * j.area * std::cos(way.phi), "W/sr"},
     };
     const drawing::TextStyle style{.size = kText + 2};
+    const drawing::FormulaFonts fonts{font, font};
     const double columns[] = {0, 185, 580, 750, 920, 936};
     double y = area.corner.y + kHeading + kTableRow;
-    drawing.text({area.corner.x, y},
-                 "In every direction the same intensity I:   B = \u222b I cos \u03c6 d\u03c9 = \u03c0 I",
-                 {.size = kText + 4});
+    drawing::drawProse(drawing, {area.corner.x, y},
+                       "In every direction the same intensity $I$: $B = \\int I \\cos\\phi\\, d\\omega = \\pi I$", {.size = kText + 4}, fonts);
     y += 1.15 * kTableRow;
-    drawing.text({area.corner.x + columns[1], y}, "\u03c6 = " + degreesText(way.phi), style);
+    drawing::drawProse(drawing, {area.corner.x + columns[1], y}, "$\\phi$ = " + degreesText(way.phi), style, fonts);
     for (int i = 0; i < 3; ++i)
         drawing.text({area.corner.x + columns[2 + i], y},
                      std::array{"red", "green", "blue"}[static_cast<std::size_t>(i)],
                      {.size = kText, .anchor = drawing::Anchor::end, .color = "#4d4d4d"});
     for (const Row& row : rows) {
         y += kTableRow;
-        drawing.text({area.corner.x + columns[0], y}, row.name, style);
+        drawing::drawProse(drawing, {area.corner.x + columns[0], y}, row.name, style, fonts);
         drawing.text({area.corner.x + columns[1], y}, row.meaning, style);
         for (int i = 0; i < 3; ++i)
             drawing.text({area.corner.x + columns[2 + i], y}, fourDigits(row.values[i]),
@@ -149,7 +150,7 @@ void drawReflector(drawing::Drawing& drawing, const drawing::Box& area, const Pa
         const double numbers = kHeading + 8.6 * kTableRow;
         drawLobes(drawing, {area.corner + dvec2(0, top), {area.size.x, area.size.y - top - numbers}}, way, font);
         writeReflectorNumbers(drawing, {area.corner + dvec2(0, area.size.y - numbers), {area.size.x, numbers}},
-                              exchange.j, way);
+                              exchange.j, way, font);
         return;
     }
     drawLobes(drawing, {area.corner + dvec2(0, 1.2 * kHeading), {kReflectorWidth, area.size.y - 1.2 * kHeading}}, way,
@@ -157,7 +158,7 @@ void drawReflector(drawing::Drawing& drawing, const drawing::Box& area, const Pa
     writeReflectorNumbers(drawing,
                           {area.corner + dvec2(kReflectorWidth + kReflectorGap, 0),
                            {area.size.x - kReflectorWidth - kReflectorGap, area.size.y}},
-                          exchange.j, way);
+                          exchange.j, way, font);
 }
 
 } // namespace shadowlab::figures
