@@ -97,6 +97,13 @@ gl::Texture2D textureOf(const image::Image& image) {
     return texture;
 }
 
+bool Pane::showsTheEyesView() const {
+    const picture::StageRef& stage = drawnFor_.state.stage;
+    if (!picture_.texture || picture_.texture.size() != drawnFor_.view.size || stage.isOutside()) return false;
+    const auto& stages = findTechnique(drawnFor_.state.technique).stages;
+    return stage.isPass || std::ranges::none_of(stages, [&](const StageInfo& one) { return one.isChart && one.id == stage.id; });
+}
+
 bool Pane::showsAnother() const {
     const PaneState& asked = drawnFor_.state;
     return picture_.texture && drawnFor_.snapshot &&

@@ -82,11 +82,8 @@ public:
     [[nodiscard]] const PanePicture& picture() const { return picture_; }
     [[nodiscard]] const picture::RenderedFrame& rendered() const { return rendered_; }
     [[nodiscard]] const std::string& failure() const { return failure_; }
-    /// Whether what is shown is seen by the eye; a light's view of the scene and that of the second camera are not.
-    [[nodiscard]] bool showsTheEyesView() const {
-        return picture_.texture && picture_.texture.size() == drawnFor_.view.size &&
-               !drawnFor_.state.stage.isOutside();
-    }
+    /// Whether what is shown is seen by the eye; a light's view of the scene, that of the second camera and a chart are not.
+    [[nodiscard]] bool showsTheEyesView() const;
     [[nodiscard]] const PaneRequest& drawnFor() const { return drawnFor_; }
     /// The picture is still another technique's, of another stage or of another scene: what is asked for takes its time.
     [[nodiscard]] bool showsAnother() const;
