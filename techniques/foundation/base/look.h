@@ -17,12 +17,12 @@ inline const vec3 kAwayFromLight = linearFromSrgb8(0x56, 0x6B, 0x8C);
 
 // Edges of a caster as the light sees it.
 inline const vec3 kSilhouette = linearFromSrgb8(0xD5, 0x5E, 0x00);
-inline const vec3 kBoundaryEdge = linearFromSrgb8(0x00, 0x9E, 0x73);
+inline const vec3 kBoundaryEdge = linearFromSrgb8(0x8A, 0x63, 0xFF);
 inline const vec3 kMultipleEdge = linearFromSrgb8(0xCC, 0x79, 0xA7);
 inline const vec3 kInconsistentEdge = linearFromSrgb8(0xF0, 0xE4, 0x42);
 
-// The parts of a shadow volume. No two are alike, and none is like the silhouette, the eye or the light: all of them are seen in
-// one picture.
+// The parts of a shadow volume. No two are alike, and none is like the edges, the eye or the light: all of them are seen in one
+// picture.
 inline const vec3 kTopCap = linearFromSrgb8(0x00, 0x9E, 0x73);
 inline const vec3 kVolumeSide = linearFromSrgb8(0xCC, 0x79, 0xA7);
 inline const vec3 kBottomCap = linearFromSrgb8(0x56, 0xB4, 0xE9);
@@ -85,8 +85,8 @@ inline const vec3 kLit = linearFromSrgb8(0xF2, 0xF2, 0xF2);
 inline const vec3 kShadowed = linearFromSrgb8(0x38, 0x38, 0x3C);
 inline const vec3 kTurnedAway = kAwayFromLight;
 inline const vec3 kNoSurface = linearFromSrgb8(0x0C, 0x0C, 0x0E);
-// Where shadows end by it: a plain line, white with a dark rim in pictures, as that curve is black in drawings on paper.
-inline const vec3 kTrueOutline = linearFromSrgb8(0xFA, 0xFA, 0xFA);
+// Where shadows end by it: a plain line with a dark rim. It is where the sides of shadow volumes meet surfaces, and has their colour.
+inline const vec3 kTrueOutline = kVolumeSide;
 
 /// A palette: evenly spaced stops, linear RGB.
 using Palette = std::array<vec3, 9>;
