@@ -99,9 +99,9 @@ inline constexpr StageInfo kStages[] = {
     {"visibility", "Visibility of the light", StageKind::visibility, true},
     kTestsStage,
     kStructureStage,
-    {"reflected", "What the reflection ray of each pixel adds", StageKind::radiance, false},
-    {"transmitted", "What the refraction ray of each pixel adds", StageKind::radiance, false},
-    {"tree-depth", "Levels of rays in the tree of each pixel", StageKind::scalar, false},
+    {"reflected", "Reflected light: what the reflection ray of each pixel adds", StageKind::radiance, false},
+    {"transmitted", "Refracted light: what the refraction ray of each pixel adds", StageKind::radiance, false},
+    {"tree-depth", "Depth of the tree: the levels of rays of each pixel", StageKind::scalar, false},
     {"penumbra", "Lit, penumbra and umbra: all, a part, or nothing of the light is seen", StageKind::swatches, true},
     {"samples-per-pixel", "How many samples each pixel got", StageKind::scalar, false},
 };

@@ -64,10 +64,10 @@ inline constexpr StageInfo kWithoutShadowsStage = {"without-shadows", "Image wit
 inline constexpr StageInfo kLightViewStage = {"light-view", "Image from the light", StageKind::radiance, true};
 inline constexpr StageInfo kLightDepthStage = {"light-depth", "Depth from the light: the shadow map", StageKind::scalar,
                                                true};
-inline constexpr StageInfo kDepthOnViewStage = {"depth-on-view", "Light depth d(u,v) projected onto the eye's view",
+inline constexpr StageInfo kDepthOnViewStage = {"depth-on-view", "Light depth d(u,v), projected onto the eye's view",
                                                 StageKind::scalar, true};
 inline constexpr StageInfo kDistanceOnViewStage = {
-    "distance-on-view", "Light distance z(u,v) projected onto the eye's view", StageKind::scalar, true};
+    "distance-on-view", "Light distance z(u,v), projected onto the eye's view", StageKind::scalar, true};
 inline constexpr StageInfo kComparisonStage = {"comparison", "Comparison: d(u,v) against z(u,v)", StageKind::swatches,
                                                true};
 inline constexpr StageInfo kTexelSizeStageInfo = {kTexelSizeStage, "Aliasing: how many pixels a texel covers",

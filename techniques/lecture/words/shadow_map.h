@@ -49,8 +49,8 @@ inline constexpr PassInfo kPasses[] = {
 
 inline constexpr StageInfo kStages[] = {
     {"light-depth", "Depth from light: depth map D", StageKind::scalar, true},
-    {"depth-on-view", "Light depth d(u,v) projected onto eye", StageKind::scalar, true},
-    {"distance-on-view", "Light distance z(u,v) projected onto eye", StageKind::scalar, true},
+    {"depth-on-view", "Light depth d(u,v), projected onto eye", StageKind::scalar, true},
+    {"distance-on-view", "Light distance z(u,v), projected onto eye", StageKind::scalar, true},
     {"comparison", "Comparison (green = equal)", StageKind::swatches, true},
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };

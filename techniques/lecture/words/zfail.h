@@ -66,7 +66,7 @@ inline constexpr PassInfo kPasses[] = {
 
 inline constexpr StageInfo kStages[] = {
     {"volume-parts", "Shadow volume: top cap, sides, bottom cap", StageKind::radiance, true},
-    {"stencil-back", "Stencil after the faces that face away: n_b behind the point", StageKind::count, true},
+    {"stencil-back", "Stencil after the back faces: n_b behind the point", StageKind::count, true},
     {"stencil", "Stencil: n_b - n_f behind the point; zero is illuminated", StageKind::count, true},
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };
