@@ -45,6 +45,11 @@ public:
             const ImVec2 text = theme_.text->CalcTextSizeA(theme_.em, FLT_MAX, 0, name.text.c_str());
             const PlaceBox plate = bestPlace(name, {text.x + 2 * pad, text.y + pad});
             places_.take(plate, FreePlaces::kSign);
+            const ImVec2 nearest(std::clamp(name.icon.x, plate.low.x, plate.high.x), std::clamp(name.icon.y, plate.low.y, plate.high.y));
+            if (std::hypot(nearest.x - name.icon.x, nearest.y - name.icon.y) > name.radius + theme_.em) { // not beside it: a line leads to it
+                list_.AddLine(name.icon, nearest, kDark, theme_.em * 0.2f);
+                list_.AddLine(name.icon, nearest, name.color, theme_.em * 0.1f);
+            }
             list_.AddRectFilled(plate.low, plate.high, kPlateColor);
             list_.AddText(theme_.text, theme_.em, {plate.low.x + pad, plate.low.y + pad / 2}, name.color, name.text.c_str());
         }
@@ -59,18 +64,23 @@ private:
     };
     static PlaceBox boxAround(ImVec2 at, float radius) { return {{at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}}; }
 
-    /// Right, left, below and above it, then at its corners. Of places that cost the same the first is taken.
+    /// Right, left, below and above it, then at its corners; where several lamps stand together, farther away. Of places that cost the
+    /// same the first is taken.
     [[nodiscard]] PlaceBox bestPlace(const Name& name, ImVec2 size) const {
-        const float gap = theme_.em * 0.15f, r = name.radius + gap;
-        const float right = name.icon.x + r, left = name.icon.x - r - size.x, middle = name.icon.x - size.x / 2;
-        const float below = name.icon.y + r, above = name.icon.y - r - size.y, beside = name.icon.y - size.y / 2;
-        const ImVec2 corners[] = {{right, beside}, {left, beside}, {middle, below}, {middle, above},
-                                  {right, below},  {left, below},  {right, above},  {left, above}};
-        PlaceBox best = places_.within(corners[0], size);
-        float least = places_.cost(best);
-        for (const ImVec2& corner : corners) {
-            const PlaceBox box = places_.within(corner, size);
-            if (const float cost = places_.cost(box); cost < least) {
+        constexpr int kFarther = 4;
+        // Rather over an object than farther away, and rather farther away than over a sign.
+        const float farCost = 4 * FreePlaces::kObject * size.x * size.y;
+        PlaceBox best{};
+        float least = FLT_MAX;
+        for (int i = 0; i < kFarther; ++i) {
+            const float r = name.radius + theme_.em * 0.15f + static_cast<float>(i) * size.y;
+            const float right = name.icon.x + r, left = name.icon.x - r - size.x, middle = name.icon.x - size.x / 2;
+            const float below = name.icon.y + r, above = name.icon.y - r - size.y, beside = name.icon.y - size.y / 2;
+            for (const ImVec2& corner : {ImVec2(right, beside), ImVec2(left, beside), ImVec2(middle, below), ImVec2(middle, above),
+                                         ImVec2(right, below), ImVec2(left, below), ImVec2(right, above), ImVec2(left, above)}) {
+                const PlaceBox box = places_.within(corner, size);
+                const float cost = places_.cost(box) + static_cast<float>(i) * farCost;
+                if (cost >= least) continue;
                 best = box;
                 least = cost;
             }

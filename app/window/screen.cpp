@@ -152,8 +152,9 @@ bool Screen::frame(double seconds) {
     drawPictures(ui_, errors_, panes_, frames, theme_);
     drawMagnifiers(ui_, errors_, panes_, theme_);
     viewsAreOpen_ = false;
+    const float headerType = headerTypeShare(ui_, errors_, frames, theme_);
     for (const PaneHeader& header : paneHeaders(ui_, frames))
-        viewsAreOpen_ = paneHeader(ui_, errors_, strip_, header, frames, theme_) || viewsAreOpen_;
+        viewsAreOpen_ = paneHeader(ui_, errors_, strip_, header, frames, headerType, theme_) || viewsAreOpen_;
     drawWidgets(story, stripShape);
     drawMessages(frames);
     ui_.requests.focusPanel = false;

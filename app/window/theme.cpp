@@ -94,6 +94,13 @@ Theme applyTheme(float em, bool presenter, const std::filesystem::path& fontFile
     return theme;
 }
 
+Theme withType(Theme theme, float share) {
+    theme.em *= share;
+    theme.headingSize *= share;
+    theme.codeSize *= share;
+    return theme;
+}
+
 ImU32 shownColor(const vec3& linear, float alpha) {
     return IM_COL32(image::srgbFromLinear(linear.r), image::srgbFromLinear(linear.g), image::srgbFromLinear(linear.b),
                     static_cast<int>(std::lround(255 * alpha)));

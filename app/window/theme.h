@@ -36,6 +36,11 @@ float typeSize(ivec2 windowPixels, float contentScale, bool presenter);
 /// texts; beside it lies DejaVuSansMono.ttf, for source. Throws Error (badInput) when one of them cannot be read.
 Theme applyTheme(float em, bool presenter, const std::filesystem::path& fontFile);
 
+/// Of the type's size: what the last row still reads in presenter mode. A text that has no room is set smaller down to it, in these steps.
+constexpr float kSmallestType = 0.72f, kTypeStep = 0.04f;
+/// The same theme with smaller type, for measuring what is drawn with ImGui::SetWindowFontScale(share).
+Theme withType(Theme theme, float share);
+
 /// A linear colour as ImGui takes it.
 ImU32 shownColor(const vec3& linear, float alpha = 1);
 

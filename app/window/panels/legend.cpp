@@ -12,8 +12,6 @@ namespace shadowlab::window {
 
 namespace {
 
-constexpr float kSmallest = 0.72f; ///< of the text's size: what the last row still reads in presenter mode
-constexpr float kSmaller = 0.04f;  ///< steps of that size, tried until the lines are enough
 constexpr float kBarEm = 11, kShortestBarEm = 4; ///< length of a bar
 constexpr int kBarSteps = 64; ///< colours of a bar: finer than the eye can distinguish
 
@@ -29,7 +27,7 @@ void drawBar(ImDrawList& list, const lab::PanePicture& picture, const Area& band
     const auto wantedWidth = [&](float em) {
         return textWidth(theme, em, display.unit) + textWidth(theme, em, low + high) + (kShortestBarEm + 2) * em;
     };
-    const float em = std::round(theme.em * std::clamp(room / wantedWidth(theme.em), kSmallest, 1.0f));
+    const float em = std::round(theme.em * std::clamp(room / wantedWidth(theme.em), kSmallestType, 1.0f));
     const float pad = em * 0.5f, height = em * 0.8f;
     float x = static_cast<float>(band.corner.x) + pad;
     const float textY = static_cast<float>(band.corner.y) + (static_cast<float>(band.size.y) - em) / 2 - em * 0.1f,
@@ -101,23 +99,43 @@ std::string withoutBrackets(std::string words) {
     return begin == std::string::npos || end == std::string::npos ? words : words.erase(begin, end + 1 - begin);
 }
 
+/// With items that are wider than the room broken at blanks: what goes on in the next line has no swatch.
+std::vector<KeyItem> wrappedItems(const std::vector<KeyItem>& items, float em, float room, const Theme& theme) {
+    std::vector<KeyItem> wrapped;
+    for (KeyItem item : items) {
+        while (itemWidth(item, em, theme) > room) {
+            std::size_t end = item.words.rfind(' ');
+            const auto begins = [&] { return KeyItem{item.words.substr(0, end), item.swatch}; };
+            while (end != std::string::npos && end > 0 && itemWidth(begins(), em, theme) > room)
+                end = item.words.rfind(' ', end - 1);
+            if (end == std::string::npos || end == 0) break; // one long word
+            wrapped.push_back(begins());
+            item = {item.words.substr(end + 1), nullptr};
+        }
+        wrapped.push_back(std::move(item));
+    }
+    return wrapped;
+}
+
 /// A key in as many lines as there may be, and the type it is set in.
 struct KeyLayout {
     float em = 0;
-    KeyLines lines;
+    std::vector<KeyItem> items;
+    KeyLines lines; ///< of these items
 };
 
 /// Two lines are enough for most keys in few words; in more of them the words in brackets go. Then the type becomes smaller.
-KeyLayout layKey(std::vector<KeyItem>& items, int width, int most, const Theme& theme) {
+KeyLayout layKey(std::vector<KeyItem> items, int width, int most, const Theme& theme) {
     constexpr std::size_t kManyLines = 2;
     const float room = static_cast<float>(width) - theme.em * 0.5f;
     KeyLayout key;
-    if (brokenLines(items, theme.em, room, theme).size() > kManyLines)
+    if (brokenLines(wrappedItems(items, theme.em, room, theme), theme.em, room, theme).size() > kManyLines)
         for (KeyItem& item : items)
             item.words = withoutBrackets(item.words);
-    for (float share = 1; share >= kSmallest; share -= kSmaller) {
+    for (float share = 1; share >= kSmallestType; share -= kTypeStep) {
         key.em = std::round(theme.em * share);
-        key.lines = brokenLines(items, key.em, room, theme);
+        key.items = wrappedItems(items, key.em, room, theme);
+        key.lines = brokenLines(key.items, key.em, room, theme);
         if (static_cast<int>(key.lines.size()) <= most) break;
     }
     return key;
@@ -125,9 +143,8 @@ KeyLayout layKey(std::vector<KeyItem>& items, int width, int most, const Theme& 
 
 /// Swatches with their words, one after the other.
 void drawKey(ImDrawList& list, const std::vector<KeyEntry>& entries, const Area& band, const Theme& theme) {
-    std::vector<KeyItem> items = itemsOf(entries);
     const int most = std::max(1, static_cast<int>(static_cast<float>(band.size.y) / (kLegendLineEm * theme.em)));
-    const auto [em, lines] = layKey(items, band.size.x, most, theme);
+    const auto [em, items, lines] = layKey(itemsOf(entries), band.size.x, most, theme);
     const auto height = static_cast<float>(band.size.y), left = static_cast<float>(band.corner.x);
     const float lineHeight = lines.size() == 1 ? height : std::min(em * kLegendLineEm, height / static_cast<float>(lines.size()));
     float y = static_cast<float>(band.corner.y) + (height - lineHeight * static_cast<float>(lines.size())) / 2;
@@ -152,8 +169,7 @@ bool hasBar(const lab::PanePicture& picture) { return picture.kind == StageKind:
 int legendLines(const lab::PanePicture& picture, int width, int most, const Theme& theme) {
     if (hasBar(picture)) return 1;
     if (picture.display.key.empty()) return 0;
-    std::vector<KeyItem> items = itemsOf(picture.display.key);
-    return std::min(most, static_cast<int>(layKey(items, width, most, theme).lines.size()));
+    return std::min(most, static_cast<int>(layKey(itemsOf(picture.display.key), width, most, theme).lines.size()));
 }
 
 void drawLegend(ImDrawList& list, const lab::PanePicture& picture, const Area& band, const Theme& theme) {

@@ -18,8 +18,9 @@ const lab::PanePicture* legendOf(const WindowState& ui, const lab::LiveErrors& e
         return judged ? &judged->legend : nullptr;
     }
     const lab::Pane& pane = ui.bench.pane(number);
-    const lab::PaneState& drawn = pane.drawnFor().state;
-    return drawn.technique == state.technique && drawn.stage == state.stage ? &pane.picture() : nullptr;
+    const lab::PaneState& asked = pane.drawnFor().state;
+    const bool isAsked = asked.technique == state.technique && asked.stage == state.stage;
+    return isAsked && !pane.showsAnother() ? &pane.picture() : nullptr;
 }
 
 } // namespace

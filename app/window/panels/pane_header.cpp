@@ -52,6 +52,14 @@ struct Title {
     }
 };
 
+/// What a caption says first: "Depth from the light" of "Depth from the light: the shadow map".
+std::string beginningOf(const std::string& caption) {
+    std::size_t end = caption.size();
+    for (const char* const mark : {": ", ", ", "; ", " ("})
+        end = std::min(end, caption.find(mark));
+    return caption.substr(0, end);
+}
+
 Title titleOf(const WindowState& ui, int pane) {
     const lab::PaneState& state = ui.bench.document().panes[static_cast<std::size_t>(pane)];
     const TechniqueInfo& info = findTechnique(state.technique);
@@ -69,7 +77,9 @@ Title titleOf(const WindowState& ui, int pane) {
         title.shortView = "finished";
     } else {
         const std::string light = state.stage.light ? *state.stage.light + ": " : "";
-        title.view = title.shortView = light + picture::captionOf(info, state.stage.id);
+        const std::string caption = picture::captionOf(info, state.stage.id);
+        title.view = light + caption;
+        title.shortView = light + beginningOf(caption);
     }
     return title;
 }
@@ -110,11 +120,15 @@ float textRoom(float width, bool hasArrow) {
 
 ImGuiComboFlags menuFlags(bool hasArrow) { return ImGuiComboFlags_HeightLargest | (hasArrow ? 0 : ImGuiComboFlags_NoArrowButton); }
 
-void techniqueMenu(WindowState& ui, int pane, const Title& title, const MenuWidths& widths) {
+/// A list opened in a header of smaller type is as large as all others.
+void endSmallType(float typeShare) { ImGui::SetWindowFontScale(1 / typeShare); }
+
+void techniqueMenu(WindowState& ui, int pane, const Title& title, const MenuWidths& widths, float typeShare) {
     const TechniqueInfo& info = findTechnique(ui.bench.document().panes[static_cast<std::size_t>(pane)].technique);
     ImGui::SetNextItemWidth(widths.technique);
     const std::string shown = title.techniqueIn(textRoom(widths.technique, widths.hasArrows));
     if (ImGui::BeginCombo("##technique", shown.c_str(), menuFlags(widths.hasArrows))) {
+        endSmallType(typeShare);
         ui.bench.activate(pane);
         const auto entry = [&](const RegisteredTechnique& technique, const std::string& key) {
             const std::string label = key + "  " + std::string(technique.info->title);
@@ -168,7 +182,7 @@ bool viewEntry(const std::string& caption, const std::string& key, bool chosen, 
 
 /// True while it is open.
 bool viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, const Title& title, const MenuWidths& widths,
-              const Theme& theme) {
+              float typeShare, const Theme& theme) {
     const lab::PaneState& state = ui.bench.document().panes[static_cast<std::size_t>(pane)];
     const TechniqueInfo& info = findTechnique(state.technique);
     const bool differs = ui.bench.document().layout == picture::Layout::diff; // of finished pictures, whatever the panes show elsewhere
@@ -180,6 +194,7 @@ bool viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, const Tit
                                         {FLT_MAX, std::max(6 * theme.em, ImGui::GetIO().DisplaySize.y - 6 * theme.em)});
     const bool isOpen = ImGui::BeginCombo("##view", shown.c_str(), menuFlags(widths.hasArrows));
     if (isOpen) {
+        endSmallType(typeShare);
         ui.bench.activate(pane);
         const auto entry = [&](const picture::StageRef& stage, const std::string& caption) {
             const auto& pictures = strip.thumbnails();
@@ -219,7 +234,7 @@ std::vector<std::string> verdictForms(const WindowState& ui, const lab::LiveErro
         return {light + "a step, not judged" + time, light + "a step, not judged", light + "a step"};
     const lab::PaneErrors* const known = errors.errors(pane);
     if (!known && stage.isOutside()) return {light + "from outside, not judged", light + "from outside", "outside"};
-    if (!known) return {light + "not judged yet" + time, light + "not judged yet", light + "not judged"};
+    if (!known) return {light + "not judged yet" + time, light + "not judged yet", light + "not judged", "not judged"};
     const int wrong = known->counts.wrong();
     const std::string about = errors.areFinal(pane) ? "" : "≈ ";
     // A stage that shows no verdict, as a map or the picture without shadows, is not what is judged.
@@ -291,27 +306,52 @@ void markActive(const PaneHeader& header, const Theme& theme) {
     list.PopClipRect();
 }
 
+float insetOf(const Theme& theme) { return theme.em * 0.5f; }
+
+/// Width of the line of menus, where a verdict stands beside them.
+float menuRoom(const WindowState& ui, const lab::LiveErrors& errors, const PaneHeader& header, const PaneFrames& frames, float spacing,
+               float typeShare, const Theme& theme) {
+    float room = static_cast<float>(header.area.size.x) - 2 * insetOf(theme);
+    if (frames.headerLines == 1) room -= typeShare * verdictRoom(ui, errors, header.pane, frames.isCompact) + spacing;
+    return std::min(room, theme.em * 40);
+}
+
+constexpr float kHeaderSpacingEm = 0.4f;
+
 } // namespace
 
+float headerTypeShare(const WindowState& ui, const lab::LiveErrors& errors, const PaneFrames& frames, const Theme& theme) {
+    const float spacing = kHeaderSpacingEm * theme.em;
+    const auto fits = [&](const PaneHeader& header, float share) {
+        const Title title = titleOf(ui, header.pane);
+        const float words = ImGui::CalcTextSize(title.whole().c_str()).x + ImGui::CalcTextSize(title.shortView.c_str()).x;
+        return share * words + 4 * ImGui::GetStyle().FramePadding.x + spacing + 2 <=
+               menuRoom(ui, errors, header, frames, spacing, share, theme);
+    };
+    const std::vector<PaneHeader> headers = paneHeaders(ui, frames);
+    for (float share = 1; share >= kSmallestType; share -= kTypeStep)
+        if (std::ranges::all_of(headers, [&](const PaneHeader& header) { return fits(header, share); })) return share;
+    return kSmallestType;
+}
+
 bool paneHeader(WindowState& ui, const lab::LiveErrors& errors, const lab::StageStrip& strip, const PaneHeader& header,
-                const PaneFrames& frames, const Theme& theme) {
+                const PaneFrames& frames, float typeShare, const Theme& theme) {
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float inset = theme.em * 0.5f;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {inset, theme.em * 0.2f});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {insetOf(theme), theme.em * 0.2f});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.FramePadding.x, theme.em * (frames.isCompact ? 0.03f : 0.08f)});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.em * 0.4f, theme.em * 0.1f});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.em * kHeaderSpacingEm, theme.em * 0.1f});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
     beginIn(("pane " + std::to_string(header.pane + 1)).c_str(), header.area,
             ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
+    ImGui::SetWindowFontScale(typeShare);
     if (lab::shownPanes(ui.bench.document().layout) > 1 && header.pane == ui.bench.document().active) markActive(header, theme);
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) ui.bench.activate(header.pane);
-    float room = static_cast<float>(header.area.size.x) - 2 * inset;
-    if (frames.headerLines == 1) room -= verdictRoom(ui, errors, header.pane, frames.isCompact) + style.ItemSpacing.x;
+    const float room = menuRoom(ui, errors, header, frames, style.ItemSpacing.x, 1, theme); // the verdict is measured in this type
     const Title title = titleOf(ui, header.pane);
-    const MenuWidths widths = menuWidths(title, std::min(room, theme.em * 40), frames.isCompact);
-    techniqueMenu(ui, header.pane, title, widths);
+    const MenuWidths widths = menuWidths(title, room, frames.isCompact);
+    techniqueMenu(ui, header.pane, title, widths, typeShare);
     ImGui::SameLine();
-    const bool isOpen = viewMenu(ui, header.pane, strip, title, widths, theme);
+    const bool isOpen = viewMenu(ui, header.pane, strip, title, widths, typeShare, theme);
     verdict(ui, errors, header, frames.headerLines == 1);
     ImGui::End();
     ImGui::PopStyleVar(4);

@@ -16,9 +16,11 @@ namespace shadowlab::window {
 float topBarHeight();
 void topBar(WindowState& ui, const Area& area, const Theme& theme);
 
+/// The type of all panes' headers, as a share of the type's size: smaller where technique and view of one of them would be cut.
+float headerTypeShare(const WindowState& ui, const lab::LiveErrors& errors, const PaneFrames& frames, const Theme& theme);
 /// The band above a pane: its technique, what is shown of it, and how wrong it is. True while its list of views is open.
 bool paneHeader(WindowState& ui, const lab::LiveErrors& errors, const lab::StageStrip& strip, const PaneHeader& header,
-                const PaneFrames& frames, const Theme& theme);
+                const PaneFrames& frames, float typeShare, const Theme& theme);
 
 // Beside the pictures: all about the active pane.
 void sidePanel(WindowState& ui, const lab::LiveErrors& errors, const Area& area, const Theme& theme);

@@ -82,6 +82,17 @@ float proseHeight(const std::string& text, float width, const Theme& theme) {
     return static_cast<float>(setText(text, width, theme).height);
 }
 
+float proseWidth(const std::string& text, const Theme& theme) {
+    const double em = theme.em / kHeightOfEm;
+    const drawing::FormulaFonts fonts = fontsOf(theme);
+    return static_cast<float>(drawing::proseWidth(drawing::proseInOneLine(text, em, false, fonts), em, false, fonts));
+}
+
+Theme forHeading(Theme theme) {
+    theme.em = theme.headingSize;
+    return theme;
+}
+
 void proseText(const std::string& text, float width, ImU32 color, const Theme& theme) {
     const SetText set = setText(text, width, theme);
     drawing::Drawing drawing({width, set.height});

@@ -13,4 +13,9 @@ float proseHeight(const std::string& text, float width, const Theme& theme);
 /// At the cursor, in lines of that width, which the cursor then stands below.
 void proseText(const std::string& text, float width, ImU32 color, const Theme& theme);
 
+/// Pixels of it in one line.
+float proseWidth(const std::string& text, const Theme& theme);
+/// The theme for prose as large as headings are.
+Theme forHeading(Theme theme);
+
 } // namespace shadowlab::window

@@ -11,22 +11,24 @@ namespace {
 
 /// "7 of 17", and which picture, where there are more.
 std::string placeInDeck(const SlideState& on) {
-    std::string text = "Slide " + std::to_string(on.at + 1) + " of " + std::to_string(on.deck->slides().size());
+    std::string text = std::to_string(on.at + 1) + " of " + std::to_string(on.deck->slides().size());
     if (on.stops.size() > 1)
         text += ", picture " + std::to_string(on.stop + 1) + " of " + std::to_string(on.stops.size());
     return text;
 }
 
+std::string ifFormula(const std::string& written) { return written.find('$') == std::string::npos ? "" : written; }
+
 /// Set as a formula where it has one.
 StoryLine lineOf(StoryLine::Kind kind, const std::string& plain, const std::string& written) {
-    return {.kind = kind, .text = plain, .written = written.find('$') == std::string::npos ? "" : written};
+    return {.kind = kind, .text = plain, .written = ifFormula(written)};
 }
 
 } // namespace
 
 StoryPage slidePage(const WindowState& ui) {
     const SlideState& on = ui.slides;
-    StoryPage page{.title = on.slide.title, .place = placeInDeck(on), .lines = {}, .code = {}};
+    StoryPage page{.title = on.slide.title, .writtenTitle = ifFormula(on.slide.written.title), .place = "Slide " + placeInDeck(on), .shortPlace = placeInDeck(on)};
     if (!on.stops.empty()) {
         // A slide without pictures is shown whole, with its text and its formulas, in their place.
         const course::SlideStop& stop = on.stops[on.stop];

@@ -87,6 +87,14 @@ void drawCode(const StoryPage& page, const Theme& theme) {
     ImGui::PopFont();
 }
 
+/// Wrapped at that width.
+void drawTitle(const StoryPage& page, float width, const Theme& theme) {
+    if (!page.writtenTitle.empty()) return proseText(page.writtenTitle, width, ImGui::GetColorU32(ImGuiCol_Text), forHeading(theme));
+    ImGui::PushFont(theme.heading);
+    ImGui::TextWrapped("%s", page.title.c_str());
+    ImGui::PopFont();
+}
+
 /// Arrows, place, title, tabs, the way out. Returns which arrow was clicked: -1, 1, or 0.
 int drawFirstRow(WindowState& ui, const StoryPage& page, const BandShape& row, float width, const Theme& theme) {
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -96,15 +104,13 @@ int drawFirstRow(WindowState& ui, const StoryPage& page, const BandShape& row, f
     if (ImGui::ArrowButton("back", ImGuiDir_Left)) by = -1;
     hint("the one before (PageUp)");
     ImGui::SameLine();
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "%s", page.place.c_str());
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "%s", (row.hasShortPlace ? page.shortPlace : page.place).c_str());
     ImGui::SameLine(style.WindowPadding.x + row.controls - ImGui::GetFrameHeight() - style.ItemSpacing.x);
     if (ImGui::ArrowButton("on", ImGuiDir_Right)) by = 1;
     hint("the next one (PageDown)");
     if (row.hasTitle) {
         ImGui::SameLine(style.WindowPadding.x + row.controls);
-        ImGui::PushFont(theme.heading);
-        ImGui::TextUnformatted(page.title.c_str());
-        ImGui::PopFont();
+        drawTitle(page, titleWidth(page, theme) + 1, theme); // no line is broken
     }
     const float right = style.WindowPadding.x + width;
     if (row.hasTabs) {
@@ -134,32 +140,31 @@ void drawThinBand(WindowState& ui, const Area& area) {
     ImGui::End();
 }
 
-void drawBand(WindowState& ui, const Area& area, const Theme& theme) {
+void drawBand(WindowState& ui, const Area& area, float typeShare, const Theme& theme) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const std::vector<StoryPage> pages = pagesOfBand(ui);
     const StoryPage& page = pages.back();
     const float width = std::max(theme.em, static_cast<float>(area.size.x) - 2 * style.WindowPadding.x);
-    const BandShape row = bandShape(ui, pages, width, theme);
+    const BandShape row = bandShape(ui, pages, width, typeShare, theme);
+    const Theme smaller = withType(theme, typeShare);
     beginIn("story", area, ImGuiWindowFlags_NoNav);
     const float free = ImGui::GetContentRegionAvail().x; // without a scrollbar's width
+    ImGui::SetWindowFontScale(1);
     const int by = drawFirstRow(ui, page, row, free, theme);
-    if (!row.hasTitle) {
-        ImGui::PushFont(theme.heading);
-        ImGui::TextWrapped("%s", page.title.c_str());
-        ImGui::PopFont();
-    }
+    ImGui::SetWindowFontScale(typeShare);
+    if (!row.hasTitle) drawTitle(page, free, smaller);
     const float textWidth = row.textShare * free;
     const ImVec2 top = ImGui::GetCursorPos();
     ImGui::PushTextWrapPos(style.WindowPadding.x + textWidth);
     int choice = 0;
     for (const StoryLine& line : page.lines) {
-        drawLine(ui, line, choice, textWidth, theme);
+        drawLine(ui, line, choice, textWidth, smaller);
         if (line.kind == StoryLine::Kind::choice) ++choice;
     }
     ImGui::PopTextWrapPos();
-    if (row.hasColumns) ImGui::SetCursorPos({style.WindowPadding.x + textWidth + theme.em, top.y});
+    if (row.hasColumns) ImGui::SetCursorPos({style.WindowPadding.x + textWidth + smaller.em, top.y});
     ImGui::BeginGroup();
-    drawCode(page, theme);
+    drawCode(page, smaller);
     ImGui::EndGroup();
     ImGui::End();
     if (by != 0) goThroughStory(ui, by);
@@ -196,7 +201,7 @@ void storyBar(WindowState& ui, const SlideFigure& figure, const StoryLayout& lay
     if (storyMode(ui) == StoryMode::explore)
         drawThinBand(ui, layout.band);
     else
-        drawBand(ui, layout.band, theme);
+        drawBand(ui, layout.band, layout.typeShare, theme);
 }
 
 } // namespace shadowlab::window

@@ -16,6 +16,7 @@ struct StoryLayout {
     Area room; ///< all of it
     Area pictures, band, figure;
     bool hasCompactHeader = false; ///< the picture beside a drawing is small
+    float typeShare = 1;           ///< of the type's size, in which the band's text is set so that all of it is seen
 };
 
 /// Divides the room between the top bar and the strip. `legends`: lines of the legends on show.
@@ -48,13 +49,17 @@ std::vector<StoryPage> pagesOfBand(const WindowState& ui);
 /// How the band is divided at a width.
 struct BandShape {
     float controls = 0;   ///< width of arrows and place
+    bool hasShortPlace = false;
     bool hasTabs = true;  ///< in the first row; else they are a row of their own before it
     bool hasTitle = true; ///< in the first row; else it is wrapped below
     bool hasLeave = true;
     bool hasColumns = false; ///< pseudocode stands beside the text, and not below it
     float textShare = 1;     ///< of the width, that the text then has
 };
-BandShape bandShape(const WindowState& ui, const std::vector<StoryPage>& pages, float width, const Theme& theme);
+/// `typeShare`: of the type's size, in which the text below the first row is set.
+BandShape bandShape(const WindowState& ui, const std::vector<StoryPage>& pages, float width, float typeShare, const Theme& theme);
+/// Pixels of a page's title in one line.
+float titleWidth(const StoryPage& page, const Theme& theme);
 /// Between lines of pseudocode: they belong together.
 float codeGap(const Theme& theme);
 

@@ -33,9 +33,11 @@ struct CodeLine {
 
 struct StoryPage {
     std::string title;
-    std::string place; ///< "Step 3 of 5": how far one has come
-    std::vector<StoryLine> lines;
-    std::vector<CodeLine> code; ///< pseudocode, at the right
+    std::string writtenTitle{}; ///< the same with formulas between $; empty: it has none
+    std::string place{}; ///< "Step 3 of 5": how far one has come
+    std::string shortPlace{}; ///< where that has no room; empty: there is no shorter one
+    std::vector<StoryLine> lines{};
+    std::vector<CodeLine> code{}; ///< pseudocode, at the right
 };
 
 /// The page of the algorithm's step on show.
