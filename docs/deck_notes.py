@@ -52,7 +52,7 @@ def notes_of_slides(script):
         cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
         if len(cells) == 5 and re.match(r"\d+-\d+$", cells[0]):
             _, slides, _, say, ask = cells
-        elif len(cells) == 2 and re.fullmatch(r"`[\w-]+`", cells[0]):
+        elif len(cells) == 2 and re.fullmatch(r"\d+ `[\w-]+`", cells[0]):
             (slides, say), ask = cells, ""
         else:
             continue

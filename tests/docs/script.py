@@ -7,6 +7,7 @@ from typing import NamedTuple
 SECTION = re.compile(r"^## ", re.MULTILINE)
 WINDOW = re.compile(r"^    build/release/shadowlab demo (.*?)\s+# ([A-Z])$", re.MULTILINE)
 CODE = re.compile(r"`([^`]+)`")
+NUMBERED = re.compile(r"(\d+) `([\w-]+)`")
 PRESSED = re.compile(r"([A-Z]):((?:\s*`[^`]+`)+)")
 
 
@@ -14,6 +15,7 @@ class Row(NamedTuple):
     first_minute: int
     last_minute: int
     slides: list
+    numbers: list  # of these slides, as the band shows them
     pressed: list  # (letter of the window, key), in order
 
 
@@ -43,4 +45,5 @@ def row_of(line):
     minutes, slides, keys = (cell.strip() for cell in line.strip("|").split("|")[:3])
     first, last = map(int, minutes.split("-"))
     pressed = [(letter, key) for letter, keys_there in PRESSED.findall(keys) for key in CODE.findall(keys_there)]
-    return Row(first, last, CODE.findall(slides), pressed)
+    numbers = [int(number) for number, _ in NUMBERED.findall(slides)]
+    return Row(first, last, CODE.findall(slides), numbers, pressed)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """teaching_check.py PROGRAM: the scripts in docs/teaching.md can be held. Minutes follow each other and are 50 in all; slides are in
-the deck, in its order, each shown once; each window is one that is started; keys are keys of the window. Words in code that
+the deck, in its order, each shown once, with their numbers there; where a window goes through the deck, no slide is left out; each window is one that is started; keys are keys of the window. Words in code that
 look like a slide, a lesson, a scene or a stage are one."""
 # SPDX-License-Identifier: MIT
 import json
@@ -41,6 +41,8 @@ def complaints_about(script, slides, keys):
                 yield f"{where}: slide {slide} comes earlier in the deck"
             else:
                 place = slides.index(slide)
+        if row.numbers != [slides.index(slide) + 1 for slide in row.slides if slide in slides]:
+            yield f"{where}: the numbers {row.numbers} are not those that the band shows"
         for letter, key in row.pressed:
             if letter not in script.windows:
                 yield f"{where}: no window {letter} was started"
@@ -52,6 +54,9 @@ def complaints_about(script, slides, keys):
             turned = row.pressed.count((letter, "PageDown"))
             if turned != len(reached):
                 yield f"{where}: PageDown stands {turned} times for window {letter}, and the row has {len(reached)} slides to go to"
+    left_out = [slide for slide in slides if all(slide not in row.slides for row in script.rows)]
+    if left_out and any(script.shows_deck(letter) for letter in script.windows):
+        yield f"{script.deck}: PageDown comes to {', '.join(left_out)}, which no row has"
     if minute != MINUTES:
         yield f"{script.deck}: the script ends at minute {minute}, not {MINUTES}"
 

@@ -19,13 +19,15 @@ SECTION = """## A lecture
 
 After it.
 """
-RIGHT = "| 0-20 | `one` | A: `J` `PageDown` | say |\n| 20-50 | `two`, `three` | | say |"
+RIGHT = "| 0-20 | 1 `one` | A: `J` `PageDown` | say |\n| 20-50 | 2 `two`, 3 `three` | | say |"
 
 # (what must be said, what is written in place of what)
 WRONG = [
     ("has no slide four", "`two`", "`four`"),
-    ("slide two comes earlier", "`two`, `three`", "`three`, `two`"),
+    ("slide two comes earlier", "2 `two`, 3 `three`", "3 `three`, 2 `two`"),
     ("slide one comes earlier", "`two`", "`one`"),
+    ("the numbers [2, 2]", "3 `three`", "2 `three`"),
+    ("the numbers [2]", ", 3 `", ", `"),
     ("does not begin where", "| 20-50", "| 21-50"),
     ("does not begin where", "| 20-50", "| 20-20"),
     ("ends at minute 49", "20-50", "20-49"),
@@ -35,10 +37,11 @@ WRONG = [
 
 # The same of a window that goes through the deck: PageDown leads to every slide but the first.
 DECK_SECTION = SECTION.replace("--lesson acne", "--deck made-up")
-DECK_RIGHT = "| 0-20 | `one` | A: `J` | say |\n| 20-50 | `two`, `three` | A: `PageDown` `J` `PageDown` | say |"
+DECK_RIGHT = "| 0-20 | 1 `one` | A: `J` | say |\n| 20-50 | 2 `two`, 3 `three` | A: `PageDown` `J` `PageDown` | say |"
 DECK_WRONG = [
     ("PageDown stands 1 times", "`PageDown` `J` `PageDown`", "`J` `PageDown`"),
     ("PageDown stands 1 times", "A: `J`", "A: `PageDown`"),
+    ("PageDown comes to three", "2 `two`, 3 `three` | A: `PageDown` `J`", "2 `two` | A: `J`"),
 ]
 
 
