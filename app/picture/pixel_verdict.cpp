@@ -40,7 +40,7 @@ std::string wordsOf(PixelLight light) {
     return "NO ANSWER";
 }
 
-constexpr const char* kFacesAway = "the surface faces away from the light, or is outside its cone";
+constexpr const char* kFacesAway = "no direct light: the surface faces away from it, or is outside its cone";
 
 /// Node of the first surface's shadow ray to the light.
 const Probe::Node* shadowRay(const Probe& probe, int light) {
@@ -65,9 +65,9 @@ void decideByRays(const Probe& probe, const SeenPoint& seen, PixelVerdict& verdi
         const auto arrived =
             std::ranges::count_if(rays->samples, [](const auto& s) { return s.onLightWorld && s.arrives; });
         verdict.light = lightOf(*sampled);
-        reason = std::to_string(arrived) + " of " + std::to_string(sent) + " shadow rays reach " + seen.lightName;
-        verdict.sums.push_back("share of the light by its samples = " + percentOf(*sampled) +
-                               (rays->exactShare ? "; exact " + percentOf(*rays->exactShare) : ""));
+        reason = std::to_string(arrived) + " of " + std::to_string(sent) + " sampled shadow rays reach " + seen.lightName;
+        verdict.sums.push_back("share of the light, sampled = " + percentOf(*sampled) +
+                               (rays->exactShare ? "; exact = " + percentOf(*rays->exactShare) : ""));
         return;
     }
     const Probe::Node& ray = *shadowRay(probe, seen.light);
@@ -102,7 +102,9 @@ void decideByPatch(const PatchProbe& patch, const SeenPoint& seen, PixelVerdict&
     verdict.isOfTechnique = true;
     verdict.light = seen.truth == trace::Visibility::turnedAway && *seen.lightShare == 0 ? PixelLight::turnedAway
                                                                                          : lightOf(*seen.lightShare);
-    reason = "the patch on " + patch.object + " sees " + percentOf(*seen.lightShare) + " of " + seen.lightName;
+    // Of the whole patch: with other patches the same pixel has another share.
+    reason = "the patch of " + significant(patch.area) + " m^2 on " + patch.object + " sees " + percentOf(*seen.lightShare) + " of " +
+             seen.lightName;
 }
 
 void addPatchSums(const PatchProbe& patch, std::vector<std::string>& sums) {
@@ -166,7 +168,7 @@ PixelVerdict pixelVerdict(const Probe& probe) {
                                                                : "FALSE SHADOW") +
                            ": " + reason;
     if (verdict.isWrong) verdict.sums.push_back("why it is wrong: " + probe.decision->why);
-    if (volume) addVolumeSums(*volume, verdict.sums);
+    if (volume) addVolumeSums(*volume, verdict.light == PixelLight::turnedAway, verdict.sums);
     if (map) addMapSums(*map, verdict.sums);
     if (plane) addPlaneSums(*plane, verdict.sums);
     if (exchange) addPatchSums(exchange->j, verdict.sums);

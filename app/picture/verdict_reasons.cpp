@@ -65,6 +65,11 @@ std::string fixed(double number, int decimals) {
     return {text.data(), end};
 }
 
+std::string significant(double number) {
+    const int before = number != 0 ? static_cast<int>(std::floor(std::log10(std::abs(number)))) : 0;
+    return fixed(number, std::max(0, 1 - before));
+}
+
 std::string percentOf(double share) {
     if (share > 0 && share < 0.01) return "less than 1 %";
     if (share < 1 && share > 0.99) return "more than 99 %";
@@ -85,15 +90,17 @@ std::string volumeReason(const VolumeProbe& volume) {
     return text;
 }
 
-void addVolumeSums(const VolumeProbe& volume, std::vector<std::string>& sums) {
+void addVolumeSums(const VolumeProbe& volume, bool isTurnedAway, std::vector<std::string>& sums) {
     sums.push_back("z-pass, eye to point: " + difference("n_f - n_b", volume.frontsBefore, volume.backsBefore) +
                    (volume.eyeCount ? "; the eye is in " + std::to_string(volume.eyeCount) +
                                           (volume.eyeCount == 1 ? " volume" : " volumes") + ", so " +
                                           std::to_string(volume.frontsBefore - volume.backsBefore + volume.eyeCount)
                                     : ""));
     sums.push_back("z-fail, point to infinity: " + difference("n_b - n_f", volume.backsBeyond, volume.frontsBeyond));
-    sums.push_back("stencil = " + std::to_string(volume.stencil) +
-                   (volume.stencil == 0 ? ": zero, so the light is added" : ": not zero, so the light is left out"));
+    const char* const follows = isTurnedAway           ? ""
+                                : volume.stencil == 0 ? ": zero, so the light is added"
+                                                      : ": not zero, so the light is left out";
+    sums.push_back("stencil = " + std::to_string(volume.stencil) + follows);
 }
 
 std::string mapReason(const MapProbe& map, double visibility) {
@@ -117,9 +124,9 @@ std::string mapReason(const MapProbe& map, double visibility) {
 void addMapSums(const MapProbe& map, std::vector<std::string>& sums) {
     const bool isEmpty = map.stored >= 1;
     const auto [d, z] = apart(map.stored, map.compared, 4);
+    // The comparison alone: what follows of it is in the sentence, for a surface that is turned away nothing.
     sums.push_back("texel (" + std::to_string(map.texel.x) + ", " + std::to_string(map.texel.y) + "): d " +
-                   (isEmpty ? "1, nothing stored" : d) + "; z - bias " + z +
-                   (map.stored < map.compared ? ": d < z - bias, in shadow" : ": d is not less, lit"));
+                   (isEmpty ? "1 (nothing stored)" : d) + (map.stored < map.compared ? " < " : " >= ") + "z - bias " + z);
     if (!isEmpty)
         sums.push_back("in metres: d " + fixed(map.storedMetres, 3) + ", z " + fixed(map.pointMetres, 3) + ", bias " +
                        fixed(map.pointMetres - map.comparedMetres, 4));
@@ -132,7 +139,7 @@ void addMapSums(const MapProbe& map, std::vector<std::string>& sums) {
         for (const MapProbe::Tap& tap : map.taps)
             visibility += tap.isLit ? tap.weight : 0;
         sums.push_back(std::to_string(std::ranges::count_if(map.taps, &MapProbe::Tap::isLit)) + " of " +
-                       std::to_string(map.taps.size()) + " comparisons say lit; with their weights " +
+                       std::to_string(map.taps.size()) + " comparisons find nothing nearer; with their weights " +
                        percentOf(glm::clamp(visibility, 0.0, 1.0)));
     }
 }

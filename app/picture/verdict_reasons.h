@@ -16,12 +16,15 @@ namespace shadowlab::picture {
 
 /// With that many digits after the point.
 std::string fixed(double number, int decimals);
+/// With two digits that say something.
+std::string significant(double number);
 /// "33 %"; 0 % and 100 % are said of nothing else than 0 and 1.
 std::string percentOf(double share);
 
 /// "entered 1, left 0", of the faces that the technique counts.
 std::string volumeReason(const VolumeProbe& volume);
-void addVolumeSums(const VolumeProbe& volume, std::vector<std::string>& sums);
+/// `isTurnedAway`: the surface gets no light whatever is counted.
+void addVolumeSums(const VolumeProbe& volume, bool isTurnedAway, std::vector<std::string>& sums);
 
 /// "d 3.21 m < z - bias 3.95 m", or how many comparisons of the filter say lit. `visibility`: what the filter made of them, 0..1.
 std::string mapReason(const MapProbe& map, double visibility);

@@ -9,6 +9,7 @@
 #include "app/context/assets.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/probed/map_probe.h"
+#include "techniques/probed/patch_exchange.h"
 #include "techniques/probed/seen_point.h"
 #include "techniques/probed/volume_probe.h"
 #include "techniques/registry.h"
@@ -105,6 +106,38 @@ TEST(PixelVerdictTest, DepthsAreShownSoThatTheyDiffer) {
                  {{"filter", "hard"}});
     EXPECT_GE(less, 10);
     EXPECT_GE(notLess, 20);
+}
+
+// One conclusion: what the map or the count says changes nothing for a surface that gets no light.
+TEST(PixelVerdictTest, WhatIsTurnedAwayIsNowhereCalledLit) {
+    static const std::regex kLit("\\blit\\b|light is added|light is left out", std::regex::icase);
+    int checked = 0;
+    for (const char* technique : {"shadow-map", "shadow-map-exact", "shadow-volume-zpass", "shadow-volume-zfail"})
+        overPictures(technique, [&](const Probe&, const PixelVerdict& verdict, const std::string& where) {
+            if (verdict.light != PixelLight::turnedAway) return;
+            EXPECT_TRUE(verdict.sentence.starts_with("TURNED AWAY: no direct light")) << where;
+            for (const std::string& sum : verdict.sums)
+                EXPECT_FALSE(std::regex_search(sum, kLit)) << where << ": " << sum;
+            checked += verdict.sums.empty() ? 0 : 1;
+        });
+    EXPECT_GE(checked, 20);
+}
+
+// The same pixel lies on another patch where there are fewer of them, which sees another share of the light.
+TEST(PixelVerdictTest, AShareOfTheLightSaysWhatItIsAShareOf) {
+    PatchExchange exchange;
+    exchange.j.object = "floor";
+    exchange.j.area = 0.0862;
+    Probe probe;
+    probe.add(exchange);
+    SeenPoint seen;
+    seen.object = "floor";
+    seen.light = 0;
+    seen.lightName = "lamp";
+    seen.truth = trace::Visibility::lit;
+    seen.lightShare = 0.98;
+    probe.add(seen);
+    EXPECT_EQ(pixelVerdict(probe).sentence, "PARTLY LIT: the patch of 0.086 m^2 on floor sees 98 % of lamp");
 }
 
 TEST(PixelVerdictTest, AShadowRayMeetsSomethingOrArrives) {
