@@ -155,10 +155,8 @@ const Action kActions[] = {
     {"save-slide", "Animation and scenes", "W", "adds what is seen to slides.json, a deck for `slides`", GLFW_KEY_W,
      false, false, false, [](WindowState& d) { d.requests.saveSlide = true; }},
 
-    {"keys", "Window", "H", "this list", GLFW_KEY_H, false, false, false,
-     [](WindowState& d) { d.shown.keys = !d.shown.keys; }},
-    {"keys-f1", "Window", "F1", "this list", GLFW_KEY_F1, false, false, false,
-     [](WindowState& d) { d.shown.keys = !d.shown.keys; }},
+    {"keys", "Window", "H", "this list", GLFW_KEY_H, false, false, false, turnKeyPage},
+    {"keys-f1", "Window", "F1", "this list", GLFW_KEY_F1, false, false, false, turnKeyPage},
     {"panel", "Window", "I", "settings, on and off", GLFW_KEY_I, false, false, false,
      togglePanel},
     {"focus-panel", "Window", "Enter", "into the settings: arrows choose, Space and Enter change, Esc leaves",

@@ -130,6 +130,12 @@ void nextLayout(WindowState& ui, int by) {
     chooseLayout(ui, static_cast<picture::Layout>((now + by + kCount) % kCount));
 }
 
+void turnKeyPage(WindowState& ui) {
+    const bool goesOn = ui.shown.keys && ui.keyPage + 1 < ui.keyPages;
+    ui.keyPage = goesOn ? ui.keyPage + 1 : 0;
+    ui.shown.keys = goesOn || !ui.shown.keys;
+}
+
 void leave(WindowState& ui) {
     if (ui.shown.keys)
         ui.shown.keys = false;

@@ -28,6 +28,8 @@ void nextLight(WindowState& ui);
 void changeSpeed(WindowState& ui, double factor);
 /// What moves: lights and objects, the camera alone, all of them, and around again.
 void nextMovers(WindowState& ui);
+/// Opens the list of keys; or its next page, and after the last one closes it.
+void turnKeyPage(WindowState& ui);
 /// Leaves one thing, the nearest first: the list of keys, messages of faults, the selection, picked pixels, a lesson, a deck, a stage.
 void leave(WindowState& ui);
 

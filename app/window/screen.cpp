@@ -194,7 +194,7 @@ void Screen::drawWidgets(const StoryLayout& story, const StripShape& strip) {
     storyBar(ui_, figure_, story, theme_);
     if (ui_.shown.strip)
         stripPanel(ui_, strip_, {{0, size_.y - strip.height}, {besideStory, strip.height}}, strip, theme_);
-    if (ui_.shown.keys) keyOverlay(size_, theme_);
+    if (ui_.shown.keys) keyOverlay(ui_, size_, theme_);
 }
 
 void Screen::withdraw(const std::string& beginning) {

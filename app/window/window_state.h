@@ -79,6 +79,7 @@ struct WindowState {
     bool showsTimes = true; ///< milliseconds, which differ from run to run: without them equal states have equal pictures
     bool panelOutsidePresenter = true; ///< whether the settings come back after presenter mode
     bool panelBesideSource = true;     ///< whether they come back after the source was on show
+    int keyPage = 0, keyPages = 1;     ///< of the list of all keys: which is shown, and how many there are
     bool panelHasKeys = false;         ///< the arrow keys move among the settings instead of moving the camera
 
     // Where the mouse was pressed since the last frame (when the frame is drawn it may be elsewhere), and where it was when what it

@@ -109,6 +109,37 @@ TEST_F(ScreenTest, EveryKeyHasOneMeaningAndRunsWithoutAFault) {
     EXPECT_TRUE(lab.ui.requests.quit && lab.ui.requests.screenshot && lab.ui.requests.saveScene);
 }
 
+// In the window's own type, which is read from the last row, it needs pages.
+TEST_F(ScreenTest, TheListOfKeysIsTurnedAndClosedByOneKey) {
+    for (const ivec2 size : {ivec2(1280, 720), ivec2(1920, 1080)}) {
+        Lab lab(scene("still-life"), size);
+        togglePresenter(lab.ui);
+        lab.screen.fit(size, 1);
+        const auto pressH = [&] {
+            lab.ui.keys.push_back({GLFW_KEY_H, false, false, false, false});
+            lab.screen.frame(0.03);
+        };
+        pressH();
+        EXPECT_GT(lab.ui.keyPages, 1);
+        const int pages = lab.ui.keyPages;
+        std::set<std::vector<std::uint8_t>> seen;
+        for (int page = 0; page < pages; ++page) {
+            EXPECT_TRUE(lab.ui.shown.keys);
+            EXPECT_EQ(lab.ui.keyPage, page);
+            EXPECT_TRUE(seen.insert(pixels(lab.screen)).second) << "page " << page;
+            pressH();
+        }
+        EXPECT_FALSE(lab.ui.shown.keys);
+        pressH();
+        pressH();
+        EXPECT_EQ(lab.ui.keyPage, 1);
+        lab.ui.keys.push_back({GLFW_KEY_ESCAPE, false, false, false, false});
+        lab.screen.frame(0.03);
+        pressH();
+        EXPECT_EQ(lab.ui.keyPage, 0) << "it opens at its beginning";
+    }
+}
+
 // An open list that the arrows went through is closed by ImGui itself, before the key comes to the window.
 TEST_F(ScreenTest, EscAfterAListThatHasClosedByItselfDoesNothingElse) {
     Lab lab(scene("still-life"), {640, 400});

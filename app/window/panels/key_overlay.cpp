@@ -19,7 +19,7 @@ struct KeyRow {
     std::string_view group;
     std::string keys;
     const char* help;
-    float keysEm = 0; ///< room for the keys, in heights of type: the same for all rows of a group
+    float keysWidth = 0; ///< room for the keys, pixels: the same for all rows of a group
 };
 
 std::vector<KeyRow> keyRows() {
@@ -48,15 +48,22 @@ constexpr std::array<std::array<const char*, 2>, 9> kMouse = {{{"left", "orbits;
                                                                {"drop", "a .json or .obj file: shows it"}}};
 
 constexpr float kBesideKeysEm = 0.8f; ///< between the keys and what they do
-constexpr float kColumnEm = 16;       ///< width of a column at least: keys, and three or four words
-constexpr float kBetweenEm = 1; ///< columns
-constexpr float kRowEm = 0.35f; ///< between rows
-constexpr int kMostColumns = 4;
+constexpr float kColumnEm = 17;       ///< width of a column at least: keys, and three or four words
+constexpr float kBetweenEm = 1;       ///< columns
+constexpr std::array kRowsEm = {0.35f, 0.25f, 0.15f}; ///< between rows: narrower where that saves a page
+constexpr float kFootEm = 1.6f;       ///< for the line that leads to the next page
+constexpr std::size_t kMostColumns = 4;
 
-/// The list in one size of type: which rows begin a column, and how high the highest is.
+/// Where the rows stand: which of them begin a column, and how many columns a page has.
 struct KeyColumns {
-    float em = 0, columnWidth = 0, height = 0;
+    float width = 0, gap = 0; ///< pixels; the gap is that between rows
+    std::size_t perPage = 1;
     std::vector<std::size_t> begins;
+    [[nodiscard]] std::size_t pages() const { return (begins.size() + perPage - 1) / perPage; }
+    /// The first row of a page; of the page after the last one, `rows`.
+    [[nodiscard]] std::size_t firstRow(std::size_t page, std::size_t rows) const {
+        return page * perPage < begins.size() ? begins[page * perPage] : rows;
+    }
 };
 
 /// As wide as the widest keys of the group.
@@ -65,52 +72,73 @@ void giveRoomToKeys(std::vector<KeyRow>& rows, const Theme& theme) {
     for (const KeyRow& row : rows)
         widest[row.group] = std::max(widest[row.group], theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, row.keys.c_str()).x);
     for (KeyRow& row : rows)
-        row.keysEm = widest[row.group] / theme.em + kBesideKeysEm;
+        row.keysWidth = widest[row.group] + kBesideKeysEm * theme.em;
 }
 
-float rowHeight(const KeyRow& row, const Theme& theme, const KeyColumns& layout) {
-    const float room = layout.columnWidth - row.keysEm * layout.em;
-    return theme.text->CalcTextSizeA(layout.em, FLT_MAX, room, row.help).y + kRowEm * layout.em;
+float rowHeight(const KeyRow& row, const Theme& theme, const KeyColumns& columns) {
+    return theme.text->CalcTextSizeA(theme.em, FLT_MAX, columns.width - row.keysWidth, row.help).y + columns.gap;
 }
 
 /// A heading, with the space before it where it is not the first of its column.
-float headingHeight(const KeyColumns& layout, bool first) { return (first ? 1.4f : 2.2f) * layout.em; }
+float headingHeight(const Theme& theme, bool first) { return (first ? 1.4f : 2.2f) * theme.em; }
 
-/// Fills one column after the other up to `most`, a heading always with its first row.
-KeyColumns filled(const std::vector<KeyRow>& rows, const Theme& theme, KeyColumns layout, float most) {
-    layout.begins = {0};
-    layout.height = 0;
+bool beginsGroup(const std::vector<KeyRow>& rows, std::size_t i) { return i == 0 || rows[i].group != rows[i - 1].group; }
+
+/// Fills one column after the other, a heading always with its first row; a page begins with a heading.
+KeyColumns filledColumns(const std::vector<KeyRow>& rows, const Theme& theme, ImVec2 room, float gapEm) {
+    KeyColumns columns;
+    columns.gap = gapEm * theme.em;
+    columns.perPage = std::clamp<std::size_t>(static_cast<std::size_t>(room.x / ((kColumnEm + kBetweenEm) * theme.em)), 1, kMostColumns);
+    columns.width = room.x / static_cast<float>(columns.perPage) - kBetweenEm * theme.em;
     float height = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const bool newGroup = i == 0 || rows[i].group != rows[i - 1].group;
-        const float row = rowHeight(rows[i], theme, layout);
-        float with = height + row + (newGroup ? headingHeight(layout, height == 0) : 0);
-        if (with > most && height > 0) {
-            layout.begins.push_back(i);
-            with = row + (newGroup ? headingHeight(layout, true) : 0);
+        const float row = rowHeight(rows[i], theme, columns);
+        const float heading = beginsGroup(rows, i) ? headingHeight(theme, height == 0) : 0;
+        if (i > 0 && height + heading + row <= room.y) {
+            height += heading + row;
+            continue;
         }
-        height = with;
-        layout.height = std::max(layout.height, height);
+        const bool headed = beginsGroup(rows, i) || columns.begins.size() % columns.perPage == 0;
+        columns.begins.push_back(i);
+        height = row + (headed ? headingHeight(theme, true) : 0);
     }
-    return layout;
+    return columns;
 }
 
-/// The largest type in which all of it is seen at once.
-KeyColumns largestThatFits(const std::vector<KeyRow>& rows, const Theme& theme, ImVec2 room) {
-    KeyColumns layout;
-    for (layout.em = theme.em; layout.em > 0.4f * theme.em; layout.em -= 0.5f)
-        for (int columns = 1; columns <= kMostColumns; ++columns) {
-            layout.columnWidth = room.x / static_cast<float>(columns) - kBetweenEm * layout.em;
-            if (layout.columnWidth < kColumnEm * layout.em && columns > 1) break;
-            layout = filled(rows, theme, layout, room.y);
-            if (layout.begins.size() <= static_cast<std::size_t>(columns) && layout.height <= room.y) return layout;
+/// In the window's own type, however many pages that takes: smaller type is not read from the last row.
+KeyColumns columnsOf(const std::vector<KeyRow>& rows, const Theme& theme, ImVec2 room) {
+    KeyColumns fewest = filledColumns(rows, theme, room, kRowsEm.front());
+    for (const float gapEm : kRowsEm)
+        if (KeyColumns columns = filledColumns(rows, theme, room, gapEm); columns.pages() < fewest.pages()) fewest = std::move(columns);
+    return fewest;
+}
+
+/// The rows of one page.
+void drawPage(const std::vector<KeyRow>& rows, const KeyColumns& columns, std::size_t page, ImVec2 corner, const Theme& theme) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImU32 plain = ImGui::GetColorU32(ImGuiCol_Text);
+    const auto text = [&](float x, float y, ImU32 color, const std::string& words, float width = 0) {
+        list.AddText(theme.text, theme.em, {x, y}, color, words.c_str(), nullptr, width);
+    };
+    const std::size_t first = columns.firstRow(page, rows.size());
+    float x = corner.x, y = corner.y;
+    for (std::size_t i = first; i < columns.firstRow(page + 1, rows.size()); ++i) {
+        const bool top = std::ranges::find(columns.begins, i) != columns.begins.end();
+        if (top && i > first) x += columns.width + kBetweenEm * theme.em;
+        if (top) y = corner.y;
+        if (i == first || beginsGroup(rows, i)) {
+            y += headingHeight(theme, top);
+            text(x, y - 1.3f * theme.em, kAccent, std::string(rows[i].group));
         }
-    return layout; // a tiny window: what is below is cut off
+        text(x, y, plain, rows[i].keys);
+        text(x + rows[i].keysWidth, y, plain, rows[i].help, columns.width - rows[i].keysWidth);
+        y += rowHeight(rows[i], theme, columns);
+    }
 }
 
 } // namespace
 
-void keyOverlay(ivec2 windowSize, const Theme& theme) {
+void keyOverlay(WindowState& ui, ivec2 windowSize, const Theme& theme) {
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({static_cast<float>(windowSize.x), static_cast<float>(windowSize.y)});
     ImGui::SetNextWindowFocus();
@@ -122,27 +150,17 @@ void keyOverlay(ivec2 windowSize, const Theme& theme) {
         rows.push_back({.group = "Mouse", .keys = what, .help = does});
     giveRoomToKeys(rows, theme);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    const KeyColumns layout = largestThatFits(rows, theme, room);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto text = [&](float x, float y, ImU32 color, const std::string& words, float width = 0) {
-        list.AddText(theme.text, layout.em, {x, y}, color, words.c_str(), nullptr, width);
-    };
-    const ImU32 plain = ImGui::GetColorU32(ImGuiCol_Text);
-    float x = corner.x, y = corner.y;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const bool top = std::ranges::find(layout.begins, i) != layout.begins.end();
-        if (top && i > 0) x += layout.columnWidth + kBetweenEm * layout.em;
-        if (top) y = corner.y;
-        if (i == 0 || rows[i].group != rows[i - 1].group) {
-            y += headingHeight(layout, top);
-            text(x, y - 1.3f * layout.em, kAccent, std::string(rows[i].group));
-        }
-        text(x, y, plain, rows[i].keys);
-        const float keys = rows[i].keysEm * layout.em;
-        text(x + keys, y, plain, rows[i].help, layout.columnWidth - keys);
-        y += rowHeight(rows[i], theme, layout);
-    }
+    ImVec2 room = ImGui::GetContentRegionAvail();
+    room.y -= kFootEm * theme.em;
+    const KeyColumns columns = columnsOf(rows, theme, room);
+    ui.keyPages = static_cast<int>(columns.pages());
+    ui.keyPage = std::min(ui.keyPage, ui.keyPages - 1); // after the window has grown there are fewer
+    drawPage(rows, columns, static_cast<std::size_t>(ui.keyPage), corner, theme);
+    const bool isLast = ui.keyPage + 1 == ui.keyPages;
+    const std::string foot = (ui.keyPages == 1 ? "" : "Page " + std::to_string(ui.keyPage + 1) + " of " + std::to_string(ui.keyPages) + "     ") +
+                             (isLast ? "H, Esc: close" : "H: next page     Esc: close");
+    ImGui::SetCursorScreenPos({corner.x, corner.y + room.y + 0.4f * theme.em});
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "%s", foot.c_str());
     ImGui::End();
 }
 

@@ -63,6 +63,6 @@ struct Glass {
 /// Around the pixel `middle` (counted from the upper left) of the pane's picture. Nothing where there is no room to enlarge it.
 std::optional<Glass> glassOver(const ShownPane& pane, ivec2 middle, const Theme& theme);
 /// The list of all keys, made from the actions.
-void keyOverlay(ivec2 windowSize, const Theme& theme);
+void keyOverlay(WindowState& ui, ivec2 windowSize, const Theme& theme);
 
 } // namespace shadowlab::window

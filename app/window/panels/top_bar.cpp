@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/window/key_functions.h"
 #include "app/window/panels/icons.h"
 #include "app/window/panels/widgets.h"
 
@@ -57,7 +58,7 @@ std::vector<BarButton> barButtons(const WindowState& ui) {
         {"present", Icon::present, ui.shown.presenter, true, "presenter mode: large type, high contrast (D)",
          togglePresenter, 1},
         {"help", Icon::help, ui.shown.keys, true, "all keys (H)",
-         [](WindowState& d) { d.shown.keys = !d.shown.keys; }, 0},
+         turnKeyPage, 0},
         {"panel", Icon::panel, ui.shown.panel || ui.shown.source, true, "the panel beside the pictures (I)", togglePanel, 0},
     };
 }
