@@ -70,7 +70,7 @@ struct StageInfo {
     StageKind kind = StageKind::radiance;
     bool perLight = false;
     bool followsPicked = false; ///< it is about View::picked, where there is one
-    bool isChart = false;       ///< no view of the scene: what the eye sees has no place in it, whatever its size
+    bool isElsewhere = false;   ///< seen from the light, or a chart: what the eye sees has no place in it, whatever its size
 };
 
 /// One colour and what it stands for.

@@ -2,6 +2,7 @@
 #include "app/lab/pane.h"
 
 #include <algorithm>
+#include <array>
 
 #include "app/picture/derived_stages.h"
 #include "app/picture/panel.h"
@@ -101,7 +102,7 @@ bool Pane::showsTheEyesView() const {
     const picture::StageRef& stage = drawnFor_.state.stage;
     if (!picture_.texture || picture_.texture.size() != drawnFor_.view.size || stage.isOutside()) return false;
     const auto& stages = findTechnique(drawnFor_.state.technique).stages;
-    return stage.isPass || std::ranges::none_of(stages, [&](const StageInfo& one) { return one.isChart && one.id == stage.id; });
+    return stage.isPass || std::ranges::none_of(stages, [&](const StageInfo& one) { return one.isElsewhere && one.id == stage.id; });
 }
 
 bool Pane::showsAnother() const {
@@ -253,7 +254,8 @@ void Pane::encode(picture::Session& session, const picture::PictureEncoder& enco
     } else {
         texture = encoder.encodeInPlace(picture::findStage(rendered, stage.key), look.kind, exposure, 1, &slot.target.color);
     }
-    picture_ = {std::move(texture), look.kind, std::move(look.display), std::move(look.caption), std::move(note)};
+    picture_ = {std::move(texture), look.kind, std::move(look.display), std::move(look.caption), std::move(note),
+                stage.isStage() ? stage.key : StageKey{}};
 }
 
 } // namespace shadowlab::lab

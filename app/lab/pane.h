@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,7 @@ struct PanePicture {
     Display display;     ///< for the legend
     std::string caption; ///< of the stage; empty: the finished picture
     std::string note{};  ///< how a step is shown, where that is not as it is: "shown 8 times brighter"
+    StageKey stage{};    ///< the technique's own stage that it is of; no id: none
 };
 
 /// How a pane is drawn, apart from what it shows.
@@ -84,6 +86,11 @@ public:
     [[nodiscard]] const std::string& failure() const { return failure_; }
     /// Whether what is shown is seen by the eye; a light's view of the scene, that of the second camera and a chart are not.
     [[nodiscard]] bool showsTheEyesView() const;
+    /// What is written into the picture from outside, in pixels of it; nothing in other pictures.
+    [[nodiscard]] std::span<const picture::PlacedLabel> outsideLabels() const {
+        if (!outside_ || !drawn_.stage.isOutside()) return {};
+        return outside_->labels();
+    }
     [[nodiscard]] const PaneRequest& drawnFor() const { return drawnFor_; }
     /// The picture is still another technique's, of another stage or of another scene: what is asked for takes its time.
     [[nodiscard]] bool showsAnother() const;

@@ -58,6 +58,11 @@ struct MapProbe {
         std::array<dvec2, 2> compared{}; ///< where the compared depth does
         bool isEmpty = true;             ///< nothing is stored
     };
+    /// A picture taken from the light that the technique has drawn for the same view, and the point's place in it.
+    struct InPicture {
+        std::string stage;
+        dvec2 share{0.0}; ///< of the picture's width and height, from its upper left corner
+    };
     int layer = 0, layers = 1;
     std::string layerName; ///< "cascade 2 of 3", "face +x"
     /// From world axes around `originWorld`, the light or the middle of the scene, into the map's clip space.
@@ -77,6 +82,7 @@ struct MapProbe {
     std::optional<Moments> moments{};            ///< of the filters vsm to msm
     std::array<dvec3, 4> texelOnReceiverWorld{}; ///< the texel projected onto the point's plane
     bool texelIsOnReceiver = false;              ///< all four corners meet it
+    std::vector<InPicture> inPictures{};         ///< stages that show this light's maps, as far as they were drawn
     std::vector<Cell> near, across;              ///< of the plane: beside the point; all over the map, some of them
 };
 

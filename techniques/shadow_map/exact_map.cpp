@@ -105,6 +105,7 @@ Probe ExactMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 p
     prepare(snapshot, Deadline::max());
     probeShadowMap(probe, {.params = params_, .fitter = tools_.fitter, .rays = &exact_.tracer()}, snapshot, view, pixel,
                    light);
+    lessonStages_.addPlaces(probe, light, view);
     return probe;
 }
 

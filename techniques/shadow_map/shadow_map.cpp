@@ -86,7 +86,7 @@ constexpr StageInfo kMapStages[] = {
     kTexelSizeStageInfo,
     kTexelGridStage,
     kMapLayersStage,
-    {"moments", "Moments: how much the depths around each texel vary", StageKind::scalar, true},
+    {"moments", "Moments: how much the depths around each texel vary", StageKind::scalar, true, false, true},
     {"blocker-search", "Blocker search: how far before the point its shadow comes from", StageKind::scalar, true},
     {"penumbra-width", "Penumbra: how wide the shadow's edge is to be", StageKind::scalar, true},
     {"kernel", "Which texels are asked for one pixel, and their answers", StageKind::swatches, true},
@@ -177,6 +177,8 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
                     .averaged = &averaged_,
                     .samplesArea = samplesArea(*snapshot, light)},
                    snapshot, view, pixel, light);
+    lessonStages_.addPlaces(probe, light, view);
+    filterStages_.addPlaces(probe, light, view);
     return probe;
 }
 

@@ -61,9 +61,9 @@ inline constexpr NamedValue kMapValues[] = {{"d(u,v)", "d(u,v) as it is compared
 
 inline constexpr StageInfo kWithoutShadowsStage = {"without-shadows", "Image without shadows", StageKind::radiance,
                                                    false};
-inline constexpr StageInfo kLightViewStage = {"light-view", "Image from the light", StageKind::radiance, true};
+inline constexpr StageInfo kLightViewStage = {"light-view", "Image from the light", StageKind::radiance, true, false, true};
 inline constexpr StageInfo kLightDepthStage = {"light-depth", "Depth from the light: the shadow map", StageKind::scalar,
-                                               true};
+                                               true, false, true};
 inline constexpr StageInfo kDepthOnViewStage = {"depth-on-view", "Light depth d(u,v), projected onto the eye's view",
                                                 StageKind::scalar, true};
 inline constexpr StageInfo kDistanceOnViewStage = {

@@ -18,9 +18,17 @@ struct Sheet {
     /// Wide pictures have room for two maps beside each other, and below them for two more.
     static ivec2 cellsOf(int layers) { return layers < 2 ? ivec2(1) : layers == 2 ? ivec2(2, 1) : ivec2(2, 2); }
     [[nodiscard]] ivec2 size() const { return cells * cellSize; }
+    /// Column, and row from the top.
+    [[nodiscard]] ivec2 cellOf(int layer) const {
+        return cube ? ivec2(layer / 2, layer % 2) : ivec2(layer % cells.x, layer / cells.x);
+    }
+    /// Where a place of a map is on the sheet: shares of its width and height from its upper left corner.
+    [[nodiscard]] dvec2 shareOf(int layer, const dvec2& uv) const {
+        return (dvec2(cellOf(layer)) + dvec2(uv.x, 1 - uv.y)) / dvec2(cells);
+    }
     void setViewport(int layer) const {
-        const int column = cube ? layer / 2 : layer % cells.x, rowFromTop = cube ? layer % 2 : layer / cells.x;
-        const int x = column * cellSize, y = (cells.y - 1 - rowFromTop) * cellSize;
+        const ivec2 cell = cellOf(layer);
+        const int x = cell.x * cellSize, y = (cells.y - 1 - cell.y) * cellSize;
         glViewport(x, y, cellSize, cellSize);
         glScissor(x, y, cellSize, cellSize);
         glEnable(GL_SCISSOR_TEST);

@@ -40,6 +40,7 @@ void FilterStages::publishMoments(Frame& frame, int light, const LightShadowMap&
     MapQuery query = map.query;
     query.filter.kind = filterNamed("vsm");
     const LightMaps maps = tools_.fitter.fitToView(frame.scene(), frame.view(), query);
+    shown_.keep(light, maps, frame.view());
     MapDrawer::OwnMap own;
     const LightShadowMap drawn = tools_.drawer.drawAnew(frame, query, maps, own);
     const Sheet sheet(maps, frame.view().size);

@@ -7,6 +7,7 @@
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/scene/query/casters.h"
 #include "techniques/shadow_map/maps/sheet.h"
+#include "techniques/shadow_map/shared_info.h"
 #include "techniques/shadow_map/stages/projected.h"
 
 namespace shadowlab::shadow_map {
@@ -16,10 +17,16 @@ void LessonStages::publish(Frame& frame, int light, const LightShadowMap& map) {
     if (std::ranges::none_of(lessons, [&](std::string_view stage) { return frame.wants(stage, light); })) return;
     gl::DepthTextureArray depth;
     const LightShadowMap lesson = lessonMap(frame, light, map, depth);
+    shown_.keep(light, lesson.maps, frame.view());
     const Display range = distanceRange(frame, light, lesson);
     if (frame.wants("light-view", light)) publishLightView(frame, light, lesson);
     if (frame.wants("light-depth", light)) publishLightDepth(frame, light, lesson, range);
     publishProjected(frame, light, lesson, range);
+}
+
+void LessonStages::addPlaces(Probe& probe, int light, const View& view) const {
+    for (const std::string_view stage : {kLightViewStage.id, kLightDepthStage.id})
+        shown_.addPlace(probe, stage, light, view);
 }
 
 // The map that the picture uses covers only what casters and receivers share, and a floor that shadows nothing is not in it. The map

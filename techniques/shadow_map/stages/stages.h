@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/shadow_map/map_tools.h"
+#include "techniques/shadow_map/stages/shown_maps.h"
 
 namespace shadowlab::shadow_map {
 
@@ -11,6 +12,8 @@ public:
     explicit LessonStages(MapTools& tools) : tools_(tools) {}
     void publishWithoutShadows(Frame& frame) const;
     void publish(Frame& frame, int light, const LightShadowMap& map);
+    /// Where the probe's point is in the pictures taken from the light.
+    void addPlaces(Probe& probe, int light, const View& view) const;
 
 private:
     LightShadowMap lessonMap(const Frame& frame, int light, const LightShadowMap& map, gl::DepthTextureArray& depth);
@@ -20,6 +23,7 @@ private:
     Display distanceRange(const Frame& frame, int light, const LightShadowMap& map);
 
     MapTools& tools_;
+    ShownMaps shown_;
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program showDepth_{"fullscreen.vert", "shadow_map/show_depth.frag"};
 };
@@ -31,6 +35,8 @@ public:
     void publish(Frame& frame, int light, const LightShadowMap& map);
     /// Drawn over the finished picture, so it comes after the light's pass.
     void publishKernel(Frame& frame, int light, const LightShadowMap& map);
+    /// Where the probe's point is in the picture of the moments.
+    void addPlaces(Probe& probe, int light, const View& view) const { shown_.addPlace(probe, "moments", light, view); }
 
 private:
     /// The part of a map that is read for one point: a parallelogram, or the ellipse in it.
@@ -46,6 +52,7 @@ private:
     gl::Texture2D drawPenumbra(const Frame& frame, int light, const LightShadowMap& map, int mode);
 
     MapTools& tools_;
+    ShownMaps shown_;
     gl::Program showMoments_{"fullscreen.vert", "shadow_map/moments/show_moments.frag"};
 };
 
