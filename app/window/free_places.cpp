@@ -2,60 +2,40 @@
 #include "app/window/free_places.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "app/window/handle_places.h"
 #include "app/window/widget_renderer.h"
 
 namespace shadowlab::window {
 
-namespace {
+ImVec2 PlaceBox::nearest(ImVec2 to) const { return {std::clamp(to.x, low.x, high.x), std::clamp(to.y, low.y, high.y)}; }
 
-constexpr float kFillsPane = 0.3f; ///< of its area: there is no place beside what is larger
+float PlaceBox::distance(ImVec2 from) const {
+    const ImVec2 near = nearest(from);
+    return std::hypot(near.x - from.x, near.y - from.y);
+}
 
-/// Pixels of the window that lie in both.
 float overlap(const PlaceBox& a, const PlaceBox& b) {
     return std::max(0.0f, std::min(a.high.x, b.high.x) - std::max(a.low.x, b.low.x)) *
            std::max(0.0f, std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y));
 }
 
-/// Around the eight corners of an object's box in the picture; nothing where one of them lies behind the eye.
-std::optional<PlaceBox> seenBox(const SeenPane& seen, const scene::Bounds& bounds) {
-    PlaceBox box{{FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX}};
-    for (int i = 0; i < 8; ++i) {
-        const auto at = seen.place(bounds.corner(i));
-        if (!at) return {};
-        box = {{std::min(box.low.x, at->x), std::min(box.low.y, at->y)}, {std::max(box.high.x, at->x), std::max(box.high.y, at->y)}};
-    }
-    return box;
-}
-
-} // namespace
-
-float FreePlaces::cost(const PlaceBox& box) const {
+float FreePlaces::cost(const PlaceBox& box, float least) const {
     float sum = 0;
     for (const Taken& taken : taken_)
-        sum += taken.weight * overlap(taken.box, box);
+        if (taken.weight >= least) sum += taken.weight * overlap(taken.box, box);
     return sum;
 }
 
+bool FreePlaces::isTaken(ImVec2 at) const {
+    return std::ranges::any_of(taken_, [at](const Taken& taken) { return taken.box.distance(at) == 0; });
+}
+
 PlaceBox FreePlaces::within(ImVec2 corner, ImVec2 size) const {
-    const ImVec2 low = imVec(pane_.area.corner), high = imVec(pane_.area.corner + pane_.area.size);
+    const ImVec2 low = imVec(area_.corner), high = imVec(area_.corner + area_.size);
     const ImVec2 at(std::clamp(corner.x, low.x, std::max(low.x, high.x - size.x)),
                     std::clamp(corner.y, low.y, std::max(low.y, high.y - size.y)));
     return {at, {at.x + size.x, at.y + size.y}};
-}
-
-FreePlaces placesBesideObjects(WindowState& ui, const ShownPane& pane) {
-    FreePlaces places(pane);
-    if (!showsHandles(ui, pane)) return places; // seen from elsewhere they are in other places
-    const SeenPane seen = seenIn(pane, ui.bench.document().camera);
-    const float most = kFillsPane * static_cast<float>(pane.area.size.x) * static_cast<float>(pane.area.size.y);
-    const ImVec2 low = imVec(pane.area.corner), high = imVec(pane.area.corner + pane.area.size);
-    for (const scene::Bounds& bounds : ui.bench.bounds()) {
-        const auto box = bounds.isEmpty() ? std::nullopt : seenBox(seen, bounds);
-        if (box && overlap(*box, {low, high}) < most) places.take(*box, FreePlaces::kObject);
-    }
-    return places;
 }
 
 } // namespace shadowlab::window

@@ -11,31 +11,38 @@ namespace shadowlab::window {
 struct PlaceBox {
     ImVec2 low, high;
     [[nodiscard]] ImVec2 size() const { return {high.x - low.x, high.y - low.y}; }
+    /// A square around a point.
+    static PlaceBox around(ImVec2 at, float radius) { return {{at.x - radius, at.y - radius}, {at.x + radius, at.y + radius}}; }
+    [[nodiscard]] ImVec2 nearest(ImVec2 to) const;
+    [[nodiscard]] float distance(ImVec2 from) const;
 };
+
+/// Pixels of the window that lie in both.
+float overlap(const PlaceBox& a, const PlaceBox& b);
 
 /// What of a pane is taken.
 class FreePlaces {
 public:
     /// Names and icons must stay readable; objects are what the picture is about, but a name may lie over one where nothing else is free.
     static constexpr float kSign = 1000, kObject = 4;
-
-    explicit FreePlaces(const ShownPane& pane) : pane_(pane) {}
-    void take(const PlaceBox& box, float weight) { taken_.push_back({box, weight}); }
-    /// Pixels of the box that are taken, each as often as its weight says.
-    [[nodiscard]] float cost(const PlaceBox& box) const;
-    /// A box of that size, moved into the pane.
-    [[nodiscard]] PlaceBox within(ImVec2 corner, ImVec2 size) const;
-
-private:
     struct Taken {
         PlaceBox box;
         float weight;
     };
-    const ShownPane& pane_;
+
+    explicit FreePlaces(const Area& area) : area_(area) {}
+    void take(const PlaceBox& box, float weight) { taken_.push_back({box, weight}); }
+    /// Pixels of the box that are taken, each as often as its weight says; of what weighs less than `least`, none.
+    [[nodiscard]] float cost(const PlaceBox& box, float least = 0) const;
+    [[nodiscard]] bool isTaken(ImVec2 at) const;
+    /// A box of that size, moved into the pane.
+    [[nodiscard]] PlaceBox within(ImVec2 corner, ImVec2 size) const;
+    [[nodiscard]] const Area& area() const { return area_; }
+    [[nodiscard]] const std::vector<Taken>& taken() const { return taken_; }
+
+private:
+    Area area_;
     std::vector<Taken> taken_;
 };
-
-/// With the objects that the pane shows, but for those that fill it: floors and rooms.
-FreePlaces placesBesideObjects(WindowState& ui, const ShownPane& pane);
 
 } // namespace shadowlab::window

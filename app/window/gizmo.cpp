@@ -37,7 +37,7 @@ Grip gripOf(const SeenPane& seen, const Handle& handle, bool selected, ImVec2 mo
     }
     const auto place = seen.place(handle.positionWorld);
     if (!place) return {};
-    if (distance(*place, mouse) <= near) return {&handle, -1, handle.positionWorld};
+    if (distance(*place, mouse) <= near || distance(seen.iconPlace(*place, theme), mouse) <= near) return {&handle, -1, handle.positionWorld};
     if (!selected) return {};
     for (int i = 0; i < 3; ++i)
         if (const auto end = seen.arrowEnd(handle, i, theme); end && distance(*end, mouse) <= near)

@@ -15,8 +15,8 @@ constexpr double kFlashSeconds = 1.75; // long enough to look for it
 bool handleGizmos(WindowState& ui, const std::vector<ShownPane>& panes, const Theme& theme);
 
 /// Draws the handles of one pane: of lights, with their names, and of the objects that are selected or under the mouse.
-/// What they cover is taken from the pane's free places.
-void drawGizmos(ImDrawList& list, WindowState& ui, const ShownPane& pane, FreePlaces& places, const Theme& theme);
+/// What they cover is taken from the pane's free places. Returns where the names stand.
+std::vector<PlaceBox> drawGizmos(ImDrawList& list, WindowState& ui, const ShownPane& pane, FreePlaces& places, const Theme& theme);
 
 /// Where the handles of lights and objects lie in a pane, or their marks at its edge, by name, in pixels of the window.
 std::vector<std::pair<std::string, dvec2>> handlePlaces(WindowState& ui, const ShownPane& pane, const Theme& theme);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/handle_places.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace shadowlab::window {
@@ -18,10 +19,24 @@ std::optional<ImVec2> SeenPane::place(const dvec3& positionWorld) const {
     return ImVec2(pane.pictureCorner.x + static_cast<float>(pixel->x), pane.pictureCorner.y + static_cast<float>(pixel->y));
 }
 
+ImVec2 SeenPane::iconPlace(ImVec2 place, const Theme& theme) const {
+    const float margin = kIconEm * theme.em;
+    const auto inward = [margin](float at, int corner, int size) {
+        const auto low = static_cast<float>(corner), high = static_cast<float>(corner + size);
+        // What belongs to the neighbouring part of the picture stays there.
+        if (at < low || at > high || high - low < 2 * margin) return at;
+        return std::clamp(at, low + margin, high - margin);
+    };
+    return {inward(place.x, pane.area.corner.x, pane.area.size.x), inward(place.y, pane.area.corner.y, pane.area.size.y)};
+}
+
 std::optional<lab::EdgeMark> SeenPane::edgeMark(const lab::Handle& handle, bool selected, const Theme& theme) const {
     if (handle.what.kind != lab::Selection::Kind::light && !selected) return {};
     auto mark = lab::edgeMarkOf(camera, size, kEdgeEm * theme.em, handle.positionWorld);
-    if (mark) mark->pixel += dvec2(pane.pictureCorner.x, pane.pictureCorner.y);
+    if (!mark) return {};
+    mark->pixel += dvec2(pane.pictureCorner.x, pane.pictureCorner.y);
+    const ImVec2 clear = iconPlace({static_cast<float>(mark->pixel.x), static_cast<float>(mark->pixel.y)}, theme);
+    mark->pixel = {clear.x, clear.y};
     return mark;
 }
 

@@ -7,6 +7,8 @@
 
 namespace shadowlab::window {
 
+inline constexpr float kIconEm = 1.25f; ///< radius of a light's icon, with all that may stand around it
+
 /// A pane and the camera its picture was made with. Places are pixels of the window.
 struct SeenPane {
     const ShownPane& pane;
@@ -14,6 +16,8 @@ struct SeenPane {
     ivec2 size;
 
     [[nodiscard]] std::optional<ImVec2> place(const dvec3& positionWorld) const;
+    /// Where the icon is drawn: at its place, or so far beside it that the pane's edge or the split line does not cut it.
+    [[nodiscard]] ImVec2 iconPlace(ImVec2 place, const Theme& theme) const;
     /// Of what the picture does not show: a light, or what is selected.
     [[nodiscard]] std::optional<lab::EdgeMark> edgeMark(const lab::Handle& handle, bool selected, const Theme& theme) const;
     /// The end of an axis arrow of a selected thing; nothing when it points at the eye.

@@ -6,10 +6,11 @@
 
 #include "app/window/gizmo.h"
 #include "app/window/imgui_bridge.h"
+#include "app/window/object_places.h"
 #include "app/window/panels/legend.h"
 #include "app/window/panels/lesson_marks.h"
 #include "app/window/panels/panels.h"
-#include "app/window/panels/probe_card.h"
+#include "app/window/picture_view.h"
 #include "app/window/widget_renderer.h"
 
 namespace shadowlab::window {
@@ -19,17 +20,12 @@ namespace {
 using picture::Layout;
 
 constexpr float kHalfSplitLine = 2;   ///< pixels
+constexpr float kSplitKnobEm = 0.55f; ///< radius of what the split line is taken hold of by
 constexpr ImU32 kPartnerRing = IM_COL32(0x56, 0xB4, 0xE9, 0xFF); ///< look::kPatchK, as kAccent is look::kPatchJ
 
-/// The picture of a size of its own, a light's view of the scene, as large as fits, in the middle.
 void drawFitted(ImDrawList& list, const gl::Texture2D& texture, const Area& area) {
-    const ImVec2 size = imVec(texture.size());
-    const float scale = std::min(static_cast<float>(area.size.x) / size.x, static_cast<float>(area.size.y) / size.y);
-    const ImVec2 shown(size.x * scale, size.y * scale);
-    const ImVec2 corner(
-        std::round(static_cast<float>(area.corner.x) + (static_cast<float>(area.size.x) - shown.x) / 2),
-        std::round(static_cast<float>(area.corner.y) + (static_cast<float>(area.size.y) - shown.y) / 2));
-    list.AddImage(imguiTexture(texture), corner, {corner.x + shown.x, corner.y + shown.y}, {0, 1}, {1, 0});
+    const PlaceBox box = fittedPicture(imVec(texture.size()), area);
+    list.AddImage(imguiTexture(texture), box.low, box.high, {0, 1}, {1, 0});
 }
 
 /// Draws in the place of the whole picture; verdicts are transparent where they say nothing.
@@ -69,8 +65,7 @@ void drawJudged(ImDrawList& list, const lab::JudgedPicture* judged, const lab::P
 }
 
 /// A ring with four strokes around a pixel: none of them covers it.
-void drawRing(ImDrawList& list, const ShownPane& shown, const dvec2& picked, ImU32 ring, float radius) {
-    const ImVec2 at = shown.at(picked);
+void drawRing(ImDrawList& list, ImVec2 at, ImU32 ring, float radius) {
     for (const bool rim : {true, false}) {
         const ImU32 color = rim ? IM_COL32(16, 16, 18, 255) : ring;
         const float width = rim ? 5.0f : 2.5f;
@@ -83,10 +78,10 @@ void drawRing(ImDrawList& list, const ShownPane& shown, const dvec2& picked, ImU
 
 /// Around the picked pixels, each in a colour and a size of its own: both are seen where they are one.
 void drawPicked(ImDrawList& list, const WindowState& ui, const ShownPane& shown, const Theme& theme) {
-    if (!ui.bench.pane(shown.pane).showsTheEyesView()) return;
     const lab::Document& document = ui.bench.document();
-    if (document.partner) drawRing(list, shown, *document.partner, kPartnerRing, 0.8f * theme.em);
-    if (document.picked) drawRing(list, shown, *document.picked, kAccent, 0.55f * theme.em);
+    if (document.partner && ui.bench.pane(shown.pane).showsTheEyesView())
+        drawRing(list, shown.at(*document.partner), kPartnerRing, 0.8f * theme.em);
+    if (const auto at = pickedPlace(ui, shown)) drawRing(list, *at, kAccent, 0.55f * theme.em);
 }
 
 /// In a pane without a header, at its lower right: what is not finished yet.
@@ -105,8 +100,15 @@ bool isJudged(const WindowState& ui, int pane) {
     return document.layout == Layout::diff || document.panes[static_cast<std::size_t>(pane)].stage.isJudged();
 }
 
-void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, const ShownPane& shown, bool hasHeader,
-              const Theme& theme) {
+/// Where the split line lies over the panes it is not to be written.
+void takeSplitLine(FreePlaces& places, const WindowState& ui, const Area& area, const Theme& theme) {
+    if (!hasSplitLine(ui)) return;
+    const float x = splitLineX(ui, area), y = static_cast<float>(area.corner.y) + static_cast<float>(area.size.y) / 2;
+    places.take(PlaceBox::around({x, y}, kSplitKnobEm * theme.em + 2), FreePlaces::kSign);
+}
+
+PaneSigns drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, const ShownPane& shown, const PaneFrames& frames,
+                   const Theme& theme) {
     const lab::Pane& pane = ui.bench.pane(shown.pane);
     const ImVec2 low = imVec(shown.area.corner), high = imVec(shown.area.corner + shown.area.size);
     list.PushClipRect(low, high, true);
@@ -126,25 +128,30 @@ void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, 
     list.PopClipRect();
 
     list.PushClipRect(low, high, true);
-    FreePlaces places = placesBesideObjects(ui, shown);
+    FreePlaces places = placesBesideThings(ui, shown, theme);
+    takeSplitLine(places, ui, frames.pictures(), theme);
     for (const PlaceBox& frame : lessonFrames(ui, shown))
         places.take(frame, FreePlaces::kSign);
-    drawGizmos(list, ui, shown, places, theme);
+    std::vector<PlaceBox> names = drawGizmos(list, ui, shown, places, theme);
     drawPicked(list, ui, shown, theme);
+    if (const auto& partner = ui.bench.document().partner; partner && pane.showsTheEyesView())
+        places.take(PlaceBox::around(shown.at(*partner), 1.4f * theme.em), FreePlaces::kSign);
     if (const auto glass = ui.shown.magnifier ? glassOver(shown, ivec2(0), theme) : std::nullopt) { // wherever it looks
         const auto side = static_cast<float>(glass->cell * glass->across);
         const ImVec2 low = glass->corner;
         places.take({{low.x, low.y - 1.5f * theme.em}, {low.x + side, low.y + side}}, FreePlaces::kSign); // with its label
     }
-    drawProbeCard(list, ui, shown, places, theme);
+    PaneSigns signs{shown.pane, std::move(places), std::move(names), {}};
+    signs.card = probeCard(ui, shown, signs.places, theme);
     drawLessonMarks(list, ui, shown, theme);
     if (pane.showsAnother() && pane.failure().empty()) {
         list.AddRectFilled(low, high, kDimmed);
         drawNote(list, shown, progressOf(ui, errors, shown.pane).front(), kPlateText, theme);
     }
     drawNote(list, shown, pane.failure(), kAccent, theme);
-    if (!hasHeader) drawProgress(list, progressOf(ui, errors, shown.pane).front(), shown, theme);
+    if (frames.header == 0) drawProgress(list, progressOf(ui, errors, shown.pane).front(), shown, theme);
     list.PopClipRect();
+    return signs;
 }
 
 void drawSplitLine(ImDrawList& list, const WindowState& ui, const Area& area, const Theme& theme) {
@@ -153,7 +160,7 @@ void drawSplitLine(ImDrawList& list, const WindowState& ui, const Area& area, co
     // A dark line and a light one: one of them is seen on any picture.
     list.AddRectFilled({x - kHalfSplitLine, top}, {x, bottom}, IM_COL32(16, 16, 18, 255));
     list.AddRectFilled({x, top}, {x + kHalfSplitLine, bottom}, kPlateText);
-    const float r = theme.em * 0.55f;
+    const float r = theme.em * kSplitKnobEm;
     list.AddCircleFilled({x, middle}, r + 2, IM_COL32(16, 16, 18, 255));
     list.AddCircleFilled({x, middle}, r, kPlateText);
     list.AddTriangleFilled({x - r * 0.7f, middle}, {x - r * 0.15f, middle - r * 0.45f},
@@ -183,17 +190,22 @@ std::vector<std::string> progressOf(const WindowState& ui, const lab::LiveErrors
     return waits ? std::vector<std::string>{"finding the exact answer ...", "judging ..."} : std::vector<std::string>{""};
 }
 
-void drawPictures(WindowState& ui, const lab::LiveErrors& errors, const std::vector<ShownPane>& panes, const PaneFrames& frames,
-                  const Theme& theme) {
+std::vector<PaneSigns> drawPictures(WindowState& ui, const lab::LiveErrors& errors, const std::vector<ShownPane>& panes,
+                                    const PaneFrames& frames, const Theme& theme) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    std::vector<PaneSigns> signs;
     for (const ShownPane& pane : panes)
-        drawPane(list, ui, errors, pane, frames.header > 0, theme);
+        signs.push_back(drawPane(list, ui, errors, pane, frames, theme));
     for (const ShownPane& pane : panes) { // the lines between panes that stand side by side
         if (hasSplitLine(ui) || pane.area.corner.x == frames.whole.corner.x) continue;
         const ImVec2 low = imVec(pane.area.corner);
         list.AddLine(low, {low.x, low.y + static_cast<float>(pane.area.size.y)}, kPlateText, 2);
     }
     if (hasSplitLine(ui)) drawSplitLine(list, ui, frames.pictures(), theme);
+    // Last, for in the split picture the pixel may lie beyond the line.
+    for (const PaneSigns& one : signs)
+        if (one.card) drawProbeCard(list, *one.card, theme);
+    return signs;
 }
 
 } // namespace shadowlab::window

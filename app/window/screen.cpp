@@ -149,7 +149,7 @@ bool Screen::frame(double seconds) {
     if (!busy_) busy_ = measureShownState(ui_); // once, and seen in the next frame
     settled_ = !busy_ && errors_.isDone();
 
-    drawPictures(ui_, errors_, panes_, frames, theme_);
+    signs_ = drawPictures(ui_, errors_, panes_, frames, theme_);
     drawMagnifiers(ui_, errors_, panes_, theme_);
     viewsAreOpen_ = false;
     const float headerType = headerTypeShare(ui_, errors_, frames, theme_);

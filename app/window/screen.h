@@ -56,6 +56,8 @@ public:
     /// The drawing of the slide on show, as it was shown last.
     [[nodiscard]] const SlideFigure& figure() const { return figure_; }
     [[nodiscard]] const std::vector<ShownPane>& shownPanes() const { return panes_; }
+    /// What was written over them, and where.
+    [[nodiscard]] const std::vector<PaneSigns>& paneSigns() const { return signs_; }
     /// Whether a drop-down list or a menu is open.
     [[nodiscard]] bool isListOpen() const { return isPopupOpen(); }
     [[nodiscard]] const Theme& theme() const { return theme_; }
@@ -101,6 +103,7 @@ private:
     ivec2 size_{0};
     std::vector<std::string> ran_;
     std::vector<ShownPane> panes_;             ///< of the last frame
+    std::vector<PaneSigns> signs_;
     double clock_ = 0, timed_ = 0, drawn_ = 0; ///< seconds: now, and of the last frames with and without times
     // The window has to react within a tenth of a second; the rest of a frame takes its part of that.
     std::chrono::milliseconds patience_{60};

@@ -45,7 +45,7 @@ Theme withType(Theme theme, float share);
 ImU32 shownColor(const vec3& linear, float alpha = 1);
 
 // Of the window itself.
-constexpr ImU32 kAccent = IM_COL32(0xE6, 0x9F, 0x00, 0xFF); ///< what is chosen, or can be taken hold of
+constexpr ImU32 kAccent = IM_COL32(0xE6, 0x9F, 0x00, 0xFF); ///< the current light, the picked pixel, what is chosen in a panel
 constexpr ImU32 kPlateColor = IM_COL32(16, 16, 18, 230);    ///< under text on pictures (app/picture/labels.cpp)
 constexpr ImU32 kPlateText = IM_COL32(245, 245, 245, 255);
 // The result of a painted shadow: the colours of false lit and false shadow, and a third that differs from both.

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "app/picture/pixel_verdict.h"
+#include "app/window/panels/widgets.h"
 #include "app/window/theme.h"
 
 namespace shadowlab::window {
@@ -17,13 +18,9 @@ void factTable(const char* id, const std::vector<Probe::Fact>& facts) {
     for (const Probe::Fact& fact : facts) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(fact.label.c_str());
-        ImGui::PopTextWrapPos();
+        wholeNumbersText(fact.label);
         ImGui::TableNextColumn();
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted((fact.value + (fact.unit.empty() ? "" : " " + fact.unit)).c_str());
-        ImGui::PopTextWrapPos();
+        wholeNumbersText(fact.value + (fact.unit.empty() ? "" : " " + fact.unit));
     }
     ImGui::EndTable();
 }
@@ -55,11 +52,11 @@ void pixelPanel(WindowState& ui) {
     if (!picked.askedFor.view.picked) return;
     if (!ImGui::CollapsingHeader("Pixel", ImGuiTreeNodeFlags_DefaultOpen)) return;
     const picture::PixelVerdict verdict = picture::pixelVerdict(picked.probe);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(verdict.isWrong ? kWarning : kAccent), "%s", verdict.sentence.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, verdict.isWrong ? kWarning : kAccent);
+    wholeNumbersText(verdict.sentence);
+    ImGui::PopStyleColor();
     for (const std::string& sum : verdict.sums)
-        ImGui::TextUnformatted(sum.c_str());
-    ImGui::PopTextWrapPos();
+        wholeNumbersText(sum);
     if (ImGui::TreeNode("All that is known")) {
         factTable("facts", picked.probe.facts);
         ImGui::TreePop();

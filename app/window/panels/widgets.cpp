@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/panels/widgets.h"
 
+#include "app/window/line_breaks.h"
+
 namespace shadowlab::window {
 
 namespace {
@@ -19,6 +21,14 @@ bool beginIn(const char* name, const Area& area, ImGuiWindowFlags flags) {
 
 float wrappedHeight(ImFont* font, float size, const std::string& text, float width) {
     return font->CalcTextSizeA(size, FLT_MAX, width, text.c_str()).y;
+}
+
+void wholeNumbersText(const std::string& text) {
+    const auto widthOf = [](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x; };
+    std::string lines;
+    for (const std::string& line : brokenText(text, ImGui::GetContentRegionAvail().x, widthOf))
+        lines += (lines.empty() ? "" : "\n") + line;
+    ImGui::TextUnformatted(lines.c_str());
 }
 
 std::string cutTo(const std::string& text, float width, float size) {

@@ -18,6 +18,9 @@ float wrappedHeight(ImFont* font, float size, const std::string& text, float wid
 std::string cutTo(const std::string& text, float width, float size);
 std::string cutTo(const std::string& text, float width);
 
+/// A sentence in lines that do not break its numbers (line_breaks.h), as wide as there is room.
+void wholeNumbersText(const std::string& text);
+
 /// A tooltip for the last item.
 void hint(const char* text);
 
