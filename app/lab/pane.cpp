@@ -2,7 +2,6 @@
 #include "app/lab/pane.h"
 
 #include <algorithm>
-#include <array>
 
 #include "app/picture/derived_stages.h"
 #include "app/picture/panel.h"
