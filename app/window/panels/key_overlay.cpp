@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/window/actions.h"
+#include "app/window/line_breaks.h"
 
 namespace shadowlab::window {
 
@@ -75,8 +76,17 @@ void giveRoomToKeys(std::vector<KeyRow>& rows, const Theme& theme) {
         row.keysWidth = widest[row.group] + kBesideKeysEm * theme.em;
 }
 
+/// What the keys do, in lines: names of files stay whole.
+std::string helpLines(const KeyRow& row, const Theme& theme, const KeyColumns& columns) {
+    const auto pixelsOf = [&](const std::string& line) { return theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, line.c_str()).x; };
+    std::string lines;
+    for (const std::string& line : brokenText(row.help, columns.width - row.keysWidth, pixelsOf))
+        lines += (lines.empty() ? "" : "\n") + line;
+    return lines;
+}
+
 float rowHeight(const KeyRow& row, const Theme& theme, const KeyColumns& columns) {
-    return theme.text->CalcTextSizeA(theme.em, FLT_MAX, columns.width - row.keysWidth, row.help).y + columns.gap;
+    return theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, helpLines(row, theme, columns).c_str()).y + columns.gap;
 }
 
 /// A heading, with the space before it where it is not the first of its column.
@@ -117,8 +127,8 @@ KeyColumns columnsOf(const std::vector<KeyRow>& rows, const Theme& theme, ImVec2
 void drawPage(const std::vector<KeyRow>& rows, const KeyColumns& columns, std::size_t page, ImVec2 corner, const Theme& theme) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImU32 plain = ImGui::GetColorU32(ImGuiCol_Text);
-    const auto text = [&](float x, float y, ImU32 color, const std::string& words, float width = 0) {
-        list.AddText(theme.text, theme.em, {x, y}, color, words.c_str(), nullptr, width);
+    const auto text = [&](float x, float y, ImU32 color, const std::string& words) {
+        list.AddText(theme.text, theme.em, {x, y}, color, words.c_str());
     };
     const std::size_t first = columns.firstRow(page, rows.size());
     float x = corner.x, y = corner.y;
@@ -131,7 +141,7 @@ void drawPage(const std::vector<KeyRow>& rows, const KeyColumns& columns, std::s
             text(x, y - 1.3f * theme.em, kAccent, std::string(rows[i].group));
         }
         text(x, y, plain, rows[i].keys);
-        text(x + rows[i].keysWidth, y, plain, rows[i].help, columns.width - rows[i].keysWidth);
+        text(x + rows[i].keysWidth, y, plain, helpLines(rows[i], theme, columns));
         y += rowHeight(rows[i], theme, columns);
     }
 }
