@@ -8,11 +8,15 @@ namespace {
 
 class SlideTextTest : public testing::ScreenFixture {
 protected:
-    /// Frames until the bands of headers and legends have their place. Pictures that take long need not be finished for that.
+    /// Frames until the bands of headers and legends have their place. What is prepared for long, as radiosity is, need not be finished.
     static void show(testing::Lab& lab) {
+        using Clock = std::chrono::steady_clock;
         constexpr int kAfter = 3;
-        const Deadline end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
-        for (int known = 0; std::chrono::steady_clock::now() < end && known < kAfter;) {
+        const auto isPreparing = [&] {
+            return std::ranges::any_of(lab.screen.shownPanes(), [&](const window::ShownPane& shown) { return lab.ui.bench.pane(shown.pane).progress() < 1; });
+        };
+        const auto begin = Clock::now();
+        for (int known = 0; known < kAfter && Clock::now() < begin + std::chrono::seconds(isPreparing() ? 2 : 60);) {
             lab.screen.frame(1.0 / 30);
             known = areLegendsKnown(lab) ? known + 1 : 0;
         }
