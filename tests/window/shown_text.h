@@ -73,7 +73,8 @@ inline std::vector<ShownLetter> cutLetters(const std::vector<ShownLetter>& lette
 
 /// Letters of which another covers a good part. A bold letter is the same one twice, a little apart.
 inline std::vector<ShownLetter> coveredLetters(const std::vector<ShownLetter>& letters) {
-    constexpr float kMuch = 0.5f, kTouch = 2, kBoldShift = 3; // formulas have accents; pixels, as neighbours may touch
+    constexpr float kMuch = 0.5f, kTouch = 2, kBoldShift = 3; // pixels, as neighbours may touch
+    constexpr ImWchar kPrime = 0x2032;                              // in formulas it leans over its letter
     std::vector<ShownLetter> covered;
     for (std::size_t i = 0; i < letters.size(); ++i)
         for (std::size_t j = i + 1; j < letters.size(); ++j) {
@@ -81,7 +82,8 @@ inline std::vector<ShownLetter> coveredLetters(const std::vector<ShownLetter>& l
             const float width = std::min(a.z, b.z) - std::max(a.x, b.x), height = std::min(a.w, b.w) - std::max(a.y, b.y);
             const float smaller = std::min((a.z - a.x) * (a.w - a.y), (b.z - b.x) * (b.w - b.y));
             const bool isBold = letters[i].code == letters[j].code && std::abs(a.x - b.x) < kBoldShift && std::abs(a.y - b.y) < 1;
-            if (!isBold && width > kTouch && height > kTouch && width * height > kMuch * smaller) covered.push_back(letters[i]);
+            const bool isPrime = letters[i].code == kPrime || letters[j].code == kPrime;
+            if (!isBold && !isPrime && width > kTouch && height > kTouch && width * height > kMuch * smaller) covered.push_back(letters[i]);
         }
     return covered;
 }
