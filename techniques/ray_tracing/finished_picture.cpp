@@ -80,14 +80,16 @@ void FinishedPicture::shade(const Surfaces& surfaces, const Picture& traced) {
         if (!hit) return background;
         const trace::SurfacePoint point = hit.surfacePoint();
         vec3 radiance = surfaces.lightsOff(point);
+        const auto isLitBy = [&](const CentredLight& light) { return (*light.visibility)[pixel] == trace::Visibility::lit; };
+        if (std::ranges::none_of(lights, isLitBy)) return encoding(radiance);
+        // Differences in double, so that nothing is lost in a scene that is large or far from its origin.
+        const dvec3 positionCentred = tracer.positionCentred(point);
+        const vec3 toEyeWorld = glm::normalize(vec3(eyeCentred - positionCentred));
+        const vec3 normalWorld = surfaces.normalWorld(point, toEyeWorld);
         for (const CentredLight& light : lights) {
-            if ((*light.visibility)[pixel] != trace::Visibility::lit) continue;
-            // Differences in double, so that nothing is lost in a scene that is large or far from its origin.
-            const dvec3 positionCentred = tracer.positionCentred(point);
-            const vec3 toEyeWorld = glm::normalize(vec3(eyeCentred - positionCentred));
+            if (!isLitBy(light)) continue;
             const vec3 offset(light.positionCentred - positionCentred);
             const vec3 toLightWorld = light.isDirectional ? vec3(-light.source->directionWorld) : glm::normalize(offset);
-            const vec3 normalWorld = surfaces.normalWorld(point, toEyeWorld);
             const float left = scene::falloff(*light.source, normalWorld, toLightWorld, glm::dot(offset, offset));
             if (left > 0)
                 radiance += left * light.intensity *
