@@ -73,7 +73,7 @@ inline std::vector<ShownLetter> cutLetters(const std::vector<ShownLetter>& lette
 
 /// Letters of which another covers a good part. A bold letter is the same one twice, a little apart.
 inline std::vector<ShownLetter> coveredLetters(const std::vector<ShownLetter>& letters) {
-    constexpr float kMuch = 0.5f, kTouch = 2, kBoldShift = 3; // pixels, as neighbours may touch
+    constexpr float kMuch = 0.5f, kTouch = 2, kBoldShift = 4; // pixels, as neighbours may touch
     constexpr ImWchar kPrime = 0x2032;                              // in formulas it leans over its letter
     std::vector<ShownLetter> covered;
     for (std::size_t i = 0; i < letters.size(); ++i)
