@@ -209,7 +209,7 @@ const std::vector<StageKey>& Pane::passesOf(std::string_view technique, const sc
     return technique == passesTechnique_ && lightNames(scene) == passesLights_ ? passes_ : kNone;
 }
 
-/// False when the technique was not ready in time.
+/// False when the technique was not ready in time, or has more to draw.
 bool Pane::drawOutside(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, picture::Slot& slot,
                        const PaneWork& work) {
     if (!outside_) outside_ = std::make_unique<picture::OutsideView>();
@@ -227,7 +227,8 @@ bool Pane::drawOutside(picture::Session& session, const picture::PictureEncoder&
                 seen->display, picture::captionOf(*slot.info, seen->key.id)};
     drawn_ = request.state;
     drawnScene_ = request.snapshot->name;
-    return true;
+    rendered_.drawn = outside_->drawnShare();
+    return outside_->isWhole();
 }
 
 void Pane::encode(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, picture::Slot& slot,

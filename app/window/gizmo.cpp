@@ -57,15 +57,18 @@ Grip gripOfSurface(WindowState& ui, const SeenPane& seen, const std::vector<Hand
     return handle == handles.end() ? Grip() : Grip{&*handle, -1, hit->positionWorld};
 }
 
-/// The selected thing comes first: its arrows may lie over other handles. Then lights, then objects, and last any place of an object.
-Grip gripUnder(WindowState& ui, const SeenPane& seen, const std::vector<Handle>& handles, ImVec2 mouse, const Theme& theme) {
+/// The selected thing comes first: its arrows may lie over other handles. Then lights, then objects, and last any place of an object,
+/// where the split line is not over it.
+Grip gripUnder(WindowState& ui, const SeenPane& seen, const std::vector<Handle>& handles, const Area& pictures, ImVec2 mouse,
+               const Theme& theme) {
+    if (isOnSplitKnob(ui, pictures, mouse, theme)) return {};
     for (const bool selectedOnes : {true, false})
         for (const Handle& handle : handles) {
             const bool selected = handle.what == ui.selection;
             if (selected != selectedOnes) continue;
             if (const Grip grip = gripOf(seen, handle, selected, mouse, theme)) return grip;
         }
-    return gripOfSurface(ui, seen, handles, mouse);
+    return isOnSplitLine(ui, pictures, mouse, theme) ? Grip() : gripOfSurface(ui, seen, handles, mouse);
 }
 
 lab::Hold holdOf(const WindowState& ui, const SeenPane& seen, const Grip& grip, const Theme& theme) {
@@ -80,7 +83,7 @@ lab::Hold holdOf(const WindowState& ui, const SeenPane& seen, const Grip& grip, 
 
 } // namespace
 
-bool handleGizmos(WindowState& ui, const std::vector<ShownPane>& panes, const Theme& theme) {
+bool handleGizmos(WindowState& ui, const std::vector<ShownPane>& panes, const Area& pictures, const Theme& theme) {
     ui.hovered = {};
     if (!ui.shown.handles || ui.lesson.isOn()) return false; // a lesson's counts are those of its scene
     const ImGuiIO& io = ImGui::GetIO();
@@ -94,7 +97,7 @@ bool handleGizmos(WindowState& ui, const std::vector<ShownPane>& panes, const Th
         const ImVec2 place = pressPlace(ui);
         if (!free || !pane.area.contains(place) || !showsHandles(ui, pane)) continue;
         const SeenPane seen = seenIn(pane, document.camera);
-        const Grip grip = gripUnder(ui, seen, handles, place, theme);
+        const Grip grip = gripUnder(ui, seen, handles, pictures, place, theme);
         if (!grip) continue;
         ui.hovered = grip.handle->what;
         if (!ImGui::IsMouseClicked(0)) continue;

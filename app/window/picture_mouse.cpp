@@ -40,13 +40,21 @@ ImVec2 pressPlace(const WindowState& ui) {
     return {static_cast<float>(ui.pressedAt->x), static_cast<float>(ui.pressedAt->y)};
 }
 
+bool isOnSplitLine(const WindowState& ui, const Area& pictures, ImVec2 place, const Theme& theme) {
+    return hasSplitLine(ui) && pictures.contains(place) && std::abs(place.x - splitLineX(ui, pictures)) <= kLineGrip * theme.em;
+}
+
+bool isOnSplitKnob(const WindowState& ui, const Area& pictures, ImVec2 place, const Theme& theme) {
+    const float middle = static_cast<float>(pictures.corner.y) + 0.5f * static_cast<float>(pictures.size.y);
+    return isOnSplitLine(ui, pictures, place, theme) && std::abs(place.y - middle) <= kLineGrip * theme.em;
+}
+
 bool handleMouse(WindowState& ui, const std::vector<ShownPane>& panes, const Area& area, const Theme& theme) {
     const ImGuiIO& io = ImGui::GetIO();
     static_assert(ImGuiMouseButton_Left == 0);
     const ImVec2 place = pressPlace(ui);
     const bool over = area.contains(place) && !io.WantCaptureMouse;
-    const float lineX = splitLineX(ui, area);
-    const bool onLine = over && hasSplitLine(ui) && std::abs(place.x - lineX) <= kLineGrip * theme.em;
+    const bool onLine = over && isOnSplitLine(ui, area, place, theme);
     if (onLine) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
 
     if (std::exchange(ui.requests.pick, false)) pickPixel(ui, panes, io.MousePos, false);

@@ -115,7 +115,7 @@ bool Screen::frame(double seconds) {
     panes_ = window::shownPanes(ui_, frames, clock_);
     const bool painting = ui_.lesson.paints(); // then the mouse is a brush
     const bool painted = handlePainting(ui_, panes_);
-    const bool held = !painting && handleGizmos(ui_, panes_, theme_);
+    const bool held = !painting && handleGizmos(ui_, panes_, frames.pictures(), theme_);
     const bool moved = !painting && (handleMouse(ui_, panes_, frames.pictures(), theme_) || held);
     ui_.pressedAt.reset();
     ui_.bench.setMoving(moved);

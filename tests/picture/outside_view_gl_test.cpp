@@ -173,6 +173,25 @@ TEST_F(OutsideViewTest, ShapesAreMadeOnceWhileNothingChanges) {
     EXPECT_FALSE(view.render(*session, slot, eye, outside, 0, {}, Deadline::min()));
 }
 
+// Trees of rays take more than one slice of time. A view that was shown after the first slice kept half a mirror for good.
+TEST_F(OutsideViewTest, WhatIsNotReadyInTimeIsGoneOnWith) {
+    scene::Scene glass = *session->snapshot();
+    for (scene::Material& material : glass.materials) material.reflectivity = 0.5;
+    use(glass);
+    Slot slot = Session::makeSlot("ray-traced"), atOnceSlot = Session::makeSlot("ray-traced");
+    OutsideView view, atOnce;
+    int slices = 0, unfinished = 0;
+    constexpr std::chrono::milliseconds kSlice(20); // a small part of what a picture of 720x480 takes
+    do {
+        view.render(*session, slot, eye, outside, 0, look, std::chrono::steady_clock::now() + kSlice);
+        unfinished += !view.isWhole();
+    } while (!view.isWhole() && ++slices < 2000);
+    EXPECT_GE(unfinished, 2);
+    ASSERT_TRUE(view.isWhole());
+    EXPECT_EQ(view.drawnShare(), 1);
+    EXPECT_EQ(differing(picture(view, slot), picture(atOnce, atOnceSlot)), 0);
+}
+
 TEST_F(OutsideViewTest, TheSlotsOwnPictureStays) {
     Slot slot = Session::makeSlot("shadow-map");
     session->render(slot, eye);

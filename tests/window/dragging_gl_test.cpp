@@ -54,6 +54,26 @@ struct Hand : testing::Lab {
     }
 };
 
+// Under the line in the middle of the still life lie a vase and the table: the mouse takes the line.
+TEST_F(WindowDraggingTest, TheSplitLineLiesOverObjects) {
+    Hand hand(scene("still-life"));
+    window::chooseLayout(hand.ui, picture::Layout::split);
+    hand.screen.frame(0.03);
+    int dragged = 0;
+    for (const double share : {0.2, 0.35, 0.5, 0.65, 0.8}) {
+        const window::ShownPane pane = hand.screen.shownPanes().front();
+        const dvec2 corner(pane.area.corner), size(pane.area.size);
+        const dvec2 place(corner.x + size.x, corner.y + share * size.y);
+        const double before = hand.ui.bench.document().split;
+        const scene::Snapshot scene = hand.ui.bench.document().scene;
+        hand.drag(place, {share < 0.6 ? 20.0 : -20.0, 0});
+        EXPECT_GT(std::abs(hand.ui.bench.document().split - before), 0.02) << share;
+        EXPECT_EQ(hand.ui.bench.document().scene, scene) << share;
+        ++dragged;
+    }
+    EXPECT_EQ(dragged, 5);
+}
+
 TEST_F(WindowDraggingTest, EveryLightAndObjectOfEverySceneFollowsTheMouseAndComesBack) {
     int dragged = 0, outside = 0;
     for (const std::string& name : scene::builtInScenes(context::assetsRoot())) {

@@ -30,6 +30,13 @@ struct PaneErrors {
     std::optional<int> coreErrors;
     bool exact = false; ///< ties are known; else some of the wrong pixels may be ties
     PaneRequest judged; ///< what it is about
+
+    /// The edge error to be said. Beyond five wrong pixels for each pixel of a true edge they do not lie along it: they are stripes, or
+    /// whole areas, and a distance of edges would say something else.
+    [[nodiscard]] std::optional<double> saidEdgeErrorPx() const {
+        constexpr double kLargest = 5;
+        return edgeErrorPx && *edgeErrorPx <= kLargest ? edgeErrorPx : std::nullopt;
+    }
 };
 
 /// A stage that has been judged, ready to be seen: the ground, and over it the verdicts.

@@ -53,7 +53,10 @@ std::optional<Stage> OutsideView::render(Session& session, Slot& slot, const Vie
         const BorrowedTarget borrowed(slot, target_);
         FrameRequest request;
         request.deadline = deadline;
-        if (session.render(slot, outside, request).result.passes.empty()) return std::nullopt;
+        const RenderedFrame ofTechnique = session.render(slot, outside, request);
+        isWhole_ = ofTechnique.converged;
+        drawnShare_ = ofTechnique.drawn;
+        if (ofTechnique.result.passes.empty()) return std::nullopt;
     }
     if (!updateShapes(session, slot, eye, light, look.choice, deadline)) return std::nullopt;
     const std::vector<SceneShape> lights = lightShapes(*session.snapshot(), things_, light, outside.camera);

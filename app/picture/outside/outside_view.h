@@ -33,6 +33,10 @@ public:
     std::optional<Stage> render(Session& session, Slot& slot, const View& eye, const View& outside, int light,
                                 const OutsideLook& look = {}, Deadline deadline = Deadline::max());
 
+    /// Is all of the last picture drawn? Else its technique has more to do, and the next call goes on.
+    [[nodiscard]] bool isWhole() const { return isWhole_; }
+    /// 0..1 of what the technique draws of it.
+    [[nodiscard]] double drawnShare() const { return drawnShare_; }
     /// The labels of the last picture.
     [[nodiscard]] const std::vector<PlacedLabel>& labels() const { return labels_; }
     /// The technique's shapes in it.
@@ -60,6 +64,8 @@ private:
     void drawDepth(const Session& session, const View& outside) const;
 
     gl::Target target_; ///< of the technique
+    bool isWhole_ = true;
+    double drawnShare_ = 1;
     ShapesOf madeFor_;
     scene::Bounds things_;
     std::vector<SceneShape> ofTechnique_, ofEye_;

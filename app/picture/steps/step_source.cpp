@@ -114,7 +114,8 @@ void addPiece(StepSource& step, const Snippet& snippet, const std::vector<std::s
     piece.anchors.push_back(snippet.anchor);
     const int begin = goesOn ? piece.lines.back().number + 1 : first;
     for (int number = begin; number <= last; ++number)
-        piece.lines.push_back({number, file[static_cast<std::size_t>(number) - 1], false, ""});
+        if (const std::string& line = file[static_cast<std::size_t>(number) - 1]; line.find("// [anchor: ") == std::string::npos)
+            piece.lines.push_back({number, line, false, ""});
     for (StepLine& line : piece.lines) {
         if (line.isCurrent || line.number < snippet.lines.first || line.number > snippet.lines.last) continue;
         line.isCurrent = true;

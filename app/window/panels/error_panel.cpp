@@ -84,7 +84,7 @@ void errorTable(const WindowState& ui, const lab::LiveErrors& errors) {
         {{"", "the pane"},
          {"false lit", "pixels of the whole picture that are lit and should lie in shadow"},
          {"false sh.", "pixels of the whole picture that lie in shadow and should be lit"},
-         {"edge", "how far on average the shadow's edge is from where it belongs, in pixels of the picture"},
+         {"edge", "how far on average the shadow's edge is from where it belongs, in pixels of the picture; not said where most wrong pixels are elsewhere"},
          {"frame", "milliseconds for the whole picture"}}};
     if (!ImGui::BeginTable("errors", static_cast<int>(kColumns.size()), ImGuiTableFlags_SizingStretchProp)) return;
     ImGui::TableNextRow();
@@ -105,7 +105,7 @@ void errorTable(const WindowState& ui, const lab::LiveErrors& errors) {
         ImGui::TableNextColumn();
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(paneColor(pane)), "%d", pane + 1);
         char edge[32] = "-";
-        if (known && known->edgeErrorPx) std::snprintf(edge, sizeof edge, "%.3f px", *known->edgeErrorPx);
+        if (known && known->saidEdgeErrorPx()) std::snprintf(edge, sizeof edge, "%.3f px", *known->saidEdgeErrorPx());
         cell(1, known ? std::to_string(known->counts.falseLit) : "-");
         cell(2, known ? std::to_string(known->counts.falseShadow) : "-");
         cell(3, edge);

@@ -215,10 +215,6 @@ bool viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, const Tit
     return isOpen;
 }
 
-// Beyond this many wrong pixels for each pixel of a true edge they do not lie along it: they are stripes, or whole areas, and a
-// distance of edges would say something else.
-constexpr double kLargestEdgeError = 5;
-
 /// "lamp: 404 wrong pixels, edge 0.21 px, 12 ms", and shorter: what is left out has the tooltip. A number of a moment ago, or one that
 /// counts ties, is written with a sign for "about".
 std::vector<std::string> verdictForms(const WindowState& ui, const lab::LiveErrors& errors, int pane) {
@@ -240,8 +236,8 @@ std::vector<std::string> verdictForms(const WindowState& ui, const lab::LiveErro
     // A stage that shows no verdict, as a map or the picture without shadows, is not what is judged.
     const std::string of = stage.isPicture() || stage.isJudged() ? "" : "finished: ";
     const std::string count = light + of + about + std::to_string(wrong) + " wrong";
-    const bool hasEdge = known->edgeErrorPx && *known->edgeErrorPx <= kLargestEdgeError;
-    const std::string edge = hasEdge ? about + picture::fixed(*known->edgeErrorPx, 2) + " px" : "";
+    const std::optional<double> edgePx = known->saidEdgeErrorPx();
+    const std::string edge = edgePx ? about + picture::fixed(*edgePx, 2) + " px" : "";
     const std::string withEdge = count + (edge.empty() ? "" : ", " + edge);
     return {count + (wrong == 1 ? " pixel" : " pixels") + (edge.empty() ? "" : ", edge " + edge) + time,
             withEdge + time, withEdge, count};

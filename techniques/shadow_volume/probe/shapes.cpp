@@ -133,6 +133,8 @@ std::vector<SceneShape> crossedShapes(const scene::Scene& scene, const VolumePro
     all.include(scene.camera.positionWorld);
     const scene::Bounds end = somewhatLarger(all);
     for (const VolumeProbe::Crossing& crossing : probe.crossings) {
+        // Beyond the point, or before it: what the technique's way of counting leaves aside would contradict its count.
+        if (crossing.counted == 0 && crossing.uncounted.empty()) continue;
         dvec3 finite(0.0);
         bool any = false;
         for (const dvec4& corner : crossing.cornersWorld)
