@@ -8,6 +8,7 @@
 
 #include "app/figures/figure_drawers.h"
 #include "app/figures/panels.h"
+#include "app/figures/pixel_diagram.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/nearest_names.h"
 
@@ -27,8 +28,8 @@ Diagram drawPixel(const FigureSource& source) {
                                                     " has nothing to draw there; ask another, as "
                                                     "shadow-volume or ray-traced");
     // As wide as its own sheet is, and so high that it fills the room when it is scaled.
-    const double fit = std::min(1.0, source.size.x / kSheetWidth);
-    return pixelDiagram(probe, source.scene, source.font, source.size.y / fit);
+    const double width = std::clamp(source.size.x, leastWidth(probe), kSheetWidth);
+    return pixelDiagram(probe, source.scene, source.font, source.size.y * std::max(1.0, width / source.size.x), width);
 }
 
 constexpr std::array kFigures{

@@ -10,7 +10,7 @@
 namespace shadowlab::figures {
 
 // A sheet is as wide as a slide; its type is 1/45 of a slide's height, which is read from the last row.
-constexpr double kSheetWidth = 1920, kText = 24, kHeading = 30;
+constexpr double kSheetWidth = 1920, kText = 24, kHeading = 30, kSheetRow = 32;
 
 /// "0.0412", "1.3·10⁻⁶": four digits, those of the power of ten raised.
 std::string fourDigits(double value);

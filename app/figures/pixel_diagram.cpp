@@ -54,9 +54,9 @@ Diagram drawPatchPanels(const Probe& probe, const image::Font& font) {
                                     : "The radiosity of a Lambertian reflector"};
 }
 
-Diagram drawSection(const Probe& probe, const scene::Scene& scene, const image::Font& font, double height) {
-    drawing::Drawing drawing({kSheetWidth, height});
-    const drawing::Box area{dvec2(kBorder), dvec2(kSheetWidth, height) - 2 * kBorder};
+Diagram drawSection(const Probe& probe, const scene::Scene& scene, const image::Font& font, const dvec2& size) {
+    drawing::Drawing drawing(size);
+    const drawing::Box area{dvec2(kBorder), size - 2 * kBorder};
     if (probe.find<VolumeProbe>()) {
         drawVolume(drawing, area, probe, scene, font);
         return {std::move(drawing),
@@ -124,8 +124,15 @@ std::string fourDigits(double value) {
 
 bool canDraw(const Probe& probe) { return !probe.tree.empty() || probe.find<PatchExchange>() || hasSection(probe); }
 
-Diagram pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font, double sectionHeight) {
-    if (hasSection(probe)) return drawSection(probe, scene, font, sectionHeight);
+double leastWidth(const Probe& probe) {
+    constexpr double kOfMap = 1200; // below it the texels beside the point and their numbers have no room beside the whole
+    const bool isPlainMap = hasSection(probe) && probe.find<MapProbe>() && !hasTaps(*probe.find<MapProbe>());
+    return isPlainMap ? kOfMap : kSheetWidth;
+}
+
+Diagram pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font, double sectionHeight,
+                     double sectionWidth) {
+    if (hasSection(probe)) return drawSection(probe, scene, font, {sectionWidth, sectionHeight});
     return probe.find<PatchExchange>() ? drawPatchPanels(probe, font) : drawTreePanels(probe, scene, font);
 }
 

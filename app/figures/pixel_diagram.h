@@ -23,12 +23,15 @@ struct Diagram {
 };
 
 /// How high drawings of the plane through eye, light and point are, on a sheet 1920 pixels wide: as a slide.
-constexpr double kSectionHeight = 1080;
+constexpr double kSectionHeight = 1080, kSectionWidth = 1920;
+/// The least width of a sheet of the probe: in a narrow room type is larger on a narrow sheet. Only that of a shadow map without a filter
+/// can be narrower than 1920.
+double leastWidth(const Probe& probe);
 
 /// One sheet of panels, those that the probe has something for: canDraw() must hold, and the first ray of a tree meet a
 /// surface. `font` is DejaVu Sans, which the document names: labels are placed by its measures. Same input, same
-/// bytes.
+/// bytes. `sectionWidth`: from leastWidth() to 1920.
 Diagram pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font,
-                     double sectionHeight = kSectionHeight);
+                     double sectionHeight = kSectionHeight, double sectionWidth = kSectionWidth);
 
 } // namespace shadowlab::figures

@@ -19,7 +19,6 @@ namespace {
 // The eye and the light are drawn where they are, unless one of them is so many times as far away as all else.
 constexpr double kFarTimes = 4;
 constexpr double kSheetMargin = 46; ///< pixels around what is drawn, for its signs
-constexpr double kSheetRow = 32;    ///< pixels from one line of the least type to the next
 
 } // namespace
 

@@ -124,6 +124,11 @@ bool Pane::update(picture::Session& session, const picture::PictureEncoder& enco
     if (request == drawnFor_ && answered && timed && (converged_ || !failure_.empty())) return false;
     // Asked for before the work: what failed is not tried again until something changes.
     const bool sizeChanged = request.view.size != drawnFor_.view.size;
+    // Drawn again for its times or its answers, a picture that is whole stays until it is whole again.
+    if (request != drawnFor_)
+        hasWhole_ = false;
+    else if (isDrawn_ && converged_)
+        hasWhole_ = true;
     isDrawn_ = isDrawn_ && request == drawnFor_;
     drawnFor_ = request;
     timed_ = work.timePasses;
@@ -167,7 +172,7 @@ void Pane::draw(picture::Session& session, const picture::PictureEncoder& encode
     picture::RenderedFrame rendered = session.render(slot, request.view, frame);
     converged_ = rendered.converged;
     progress_ = rendered.prepared;
-    if (!converged_ && rendered.prepared < 1) return; // nothing drawn yet: the last picture stays
+    if (!converged_ && (rendered.prepared < 1 || hasWhole_)) return; // nothing new to be seen yet: the last picture stays
     if (!converged_ && stage.isStage() && !stage.isDerived() && !picture::isPublished(rendered, stage.key)) {
         progress_ = rendered.drawn; // what is solved while it is drawn has no stages before it is solved
         return;

@@ -119,6 +119,7 @@ private:
     picture::RenderedFrame rendered_; ///< of the picture
     PaneRequest drawnFor_;
     bool isDrawn_ = false; ///< rendered_ is of drawnFor_, and not of what was asked for before
+    bool hasWhole_ = false; ///< picture_ is all of drawnFor_
     std::vector<StageKey> passes_;
     std::string passesTechnique_;           ///< whose they are
     std::vector<std::string> passesLights_; ///< of the scene they ran for; they name lights by number

@@ -152,7 +152,7 @@ const Action kActions[] = {
      [](WindowState& d) { d.requests.saveScene = true; }},
     {"screenshot", "Animation and scenes", "P", "saves the picture, its command line, and the scene", GLFW_KEY_P, false,
      false, false, [](WindowState& d) { d.requests.screenshot = true; }},
-    {"save-slide", "Animation and scenes", "W", "adds what is seen to slides.json, a deck for `slides`", GLFW_KEY_W,
+    {"save-slide", "Animation and scenes", "W", "adds what is seen to slides.json, a deck for the command slides", GLFW_KEY_W,
      false, false, false, [](WindowState& d) { d.requests.saveSlide = true; }},
 
     {"keys", "Window", "H", "this list", GLFW_KEY_H, false, false, false, turnKeyPage},

@@ -198,10 +198,12 @@ public:
     }
 
 private:
-    /// While what the picture depends on stays, the next frame goes on where the deadline has ended the last one.
+    /// While what the picture depends on stays, the next frame goes on where the deadline has ended the last one; and the next step
+    /// with what the steps before it have found.
     void beginOrGoOn(const Frame& frame) {
-        const Asked asked{snapshot_, frame.view().camera, frame.view().size, depth_, attenuation_, frame.stopsAfter()};
-        if (!isFinished_ && asked == asked_) return;
+        const Asked asked{snapshot_, frame.view().camera, frame.view().size, depth_, attenuation_};
+        const bool isOtherStep = std::exchange(stopsAfter_, frame.stopsAfter()) != frame.stopsAfter();
+        if (asked == asked_ && (!isFinished_ || isOtherStep)) return;
         asked_ = asked;
         visibility_.assign(snapshot_->lights.size(), PixelRows());
         for (PixelRows* rows : {&distance_, &levels_, &intensity_})
@@ -214,12 +216,13 @@ private:
         if (frame.wants(stage, light)) frame.publish(stage, light, rows.asTexture(stage), rows.scale(std::move(unit)));
     }
 
-    using Asked = std::tuple<scene::Snapshot, scene::Camera, ivec2, int, dvec2, std::optional<StageKey>>;
+    using Asked = std::tuple<scene::Snapshot, scene::Camera, ivec2, int, dvec2>;
     int depth_ = 4; // up to 2^5 rays for a pixel of glass, and each level doubles them
     dvec2 attenuation_{0.0};
     scene::Snapshot snapshot_;
     RayScene rays_;
     Asked asked_;
+    std::optional<StageKey> stopsAfter_;
     bool isFinished_ = true;
     PixelRows distance_, levels_, intensity_;
     std::vector<PixelRows> visibility_; ///< per light

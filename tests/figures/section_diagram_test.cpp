@@ -81,36 +81,46 @@ std::vector<Named> scenes() {
     return all;
 }
 
-// Over every technique and every scene: type is large enough, no label covers another, all stay on the sheet.
+// Over every technique and every scene, on a wide sheet and on the narrowest: type is large enough, no label covers another, all stay on
+// the sheet.
 TEST(SectionDiagramTest, CanBeReadWhateverTheSceneIs) {
-    int drawings = 0, compared = 0;
+    int drawings = 0, narrow = 0, compared = 0;
+    const auto expectReadable = [&](const std::string& drawing, double width, const std::string& what) {
+        ++drawings;
+        EXPECT_EQ(drawing.find("nan"), std::string::npos) << what;
+        EXPECT_EQ(drawing.find("inf\""), std::string::npos) << what;
+        EXPECT_LT(drawing.size(), 400'000u) << what;
+        const std::vector<Written> all = written(drawing);
+        EXPECT_GT(all.size(), 10u) << what;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            EXPECT_GE(all[i].em, 1080.0 / 45) << what << ": " << all[i].text;
+            EXPECT_GE(all[i].box.corner.x, 0) << what << ": " << all[i].text;
+            EXPECT_LE(all[i].box.corner.x + all[i].box.size.x, width) << what << ": " << all[i].text;
+            EXPECT_LE(all[i].box.corner.y + all[i].box.size.y, 1080) << what << ": " << all[i].text;
+            for (std::size_t j = 0; j < i; ++j, ++compared)
+                EXPECT_FALSE(all[i].box.overlaps(all[j].box))
+                    << what << ": " << all[i].text << " covers " << all[j].text;
+        }
+    };
     for (const Named& named : scenes())
         for (const char* technique : kTechniques)
             for (const ivec2 pixel :
                  {ivec2(160, 90), ivec2(120, 120), ivec2(200, 130), ivec2(90, 150), ivec2(230, 100)}) {
-                const Probe probe = ask(named.scene, technique, pixel);
-                if (!canDraw(probe)) continue;
-                const std::string drawing = pixelDiagram(probe, *named.scene, testFont()).document();
                 const std::string what =
                     named.name + ", " + technique + ", " + std::to_string(pixel.x) + "," + std::to_string(pixel.y);
-                ++drawings;
-                EXPECT_EQ(drawing.find("nan"), std::string::npos) << what;
-                EXPECT_EQ(drawing.find("inf\""), std::string::npos) << what;
-                EXPECT_LT(drawing.size(), 400'000u) << what;
-                const std::vector<Written> all = written(drawing);
-                EXPECT_GT(all.size(), 10u) << what;
-                for (std::size_t i = 0; i < all.size(); ++i) {
-                    EXPECT_GE(all[i].em, 1080.0 / 45) << what << ": " << all[i].text;
-                    EXPECT_GE(all[i].box.corner.x, 0) << what << ": " << all[i].text;
-                    EXPECT_LE(all[i].box.corner.x + all[i].box.size.x, 1920) << what << ": " << all[i].text;
-                    EXPECT_LE(all[i].box.corner.y + all[i].box.size.y, 1080) << what << ": " << all[i].text;
-                    for (std::size_t j = 0; j < i; ++j, ++compared)
-                        EXPECT_FALSE(all[i].box.overlaps(all[j].box))
-                            << what << ": " << all[i].text << " covers " << all[j].text;
-                }
+                const Probe probe = ask(named.scene, technique, pixel);
+                if (canDraw(probe))
+                    expectReadable(pixelDiagram(probe, *named.scene, testFont()).document(), kSectionWidth, what);
+                if (technique != std::string_view("shadow-map")) continue;
+                const Probe hard = ask(named.scene, technique, pixel, "filter", "hard");
+                const double least = leastWidth(hard);
+                if (!canDraw(hard) || least == kSectionWidth) continue;
+                ++narrow;
+                expectReadable(pixelDiagram(hard, *named.scene, testFont(), kSectionHeight, least).document(), least, what + ", narrow");
             }
     std::cout << drawings << " drawings, " << compared << " pairs of labels\n";
     EXPECT_GT(drawings, 150);
+    EXPECT_GT(narrow, 20);
     EXPECT_GT(compared, 30'000);
 }
 

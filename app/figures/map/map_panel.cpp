@@ -148,22 +148,25 @@ void writeMapNumbers(drawing::Drawing& drawing, const drawing::Box& area, const 
 
 void drawMap(drawing::Drawing& drawing, const drawing::Box& area, const Probe& probe, const scene::Scene& scene,
              const image::Font& font) {
-    constexpr double kRight = 800, kLegend = 44, kTaps = 270;
+    constexpr double kTaps = 270, kWide = 1500;
+    const bool isWide = area.size.x >= kWide;
+    const double right = std::min(800.0, 0.44 * area.size.x), legendHeight = isWide ? 44 : 44 + kSheetRow;
     const bool taps = hasTaps(*probe.find<MapProbe>());
     const double detail = taps ? 420 : 480; // what the filter read takes more lines
-    drawing.text(area.corner + dvec2(0, kHeading), "Shadow map in the plane through eye, light and point",
+    drawing.text(area.corner + dvec2(0, kHeading),
+                 isWide ? "Shadow map in the plane through eye, light and point" : "Plane of eye, light and point",
                  {.size = kHeading, .isBold = true});
     const dvec2 under(0, kHeading + 18);
-    const drawing::Box field{area.corner + under, area.size - dvec2(kRight + 30, kHeading + 18 + kLegend + 14)};
+    const drawing::Box field{area.corner + under, area.size - dvec2(right + 30, kHeading + 18 + legendHeight + 14)};
     drawOverview(drawing, field, probe, scene, font);
-    const dvec2 right = area.corner + dvec2(area.size.x - kRight, 0);
-    drawing.text(right + dvec2(0, kHeading), "The texels beside the point", {.size = kHeading, .isBold = true});
-    drawDetail(drawing, {right + under, {kRight, detail}}, probe, scene, font);
-    const drawing::Box below{right + under + dvec2(0, detail + 16),
-                    {kRight, area.size.y - kHeading - 18 - detail - 16 - kLegend - 14}};
+    const dvec2 beside = area.corner + dvec2(area.size.x - right, 0);
+    drawing.text(beside + dvec2(0, kHeading), "The texels beside the point", {.size = kHeading, .isBold = true});
+    drawDetail(drawing, {beside + under, {right, detail}}, probe, scene, font);
+    const drawing::Box below{beside + under + dvec2(0, detail + 16),
+                    {right, area.size.y - kHeading - 18 - detail - 16 - legendHeight - 14}};
     writeMapNumbers(drawing, {below.corner, below.size - dvec2(taps ? kTaps + 24 : 0, 0)}, probe, font);
     if (taps)
-        drawTaps(drawing, {below.corner + dvec2(kRight - kTaps, kHeading + 22), {kTaps, below.size.y - kHeading - 22}},
+        drawTaps(drawing, {below.corner + dvec2(right - kTaps, kHeading + 22), {kTaps, below.size.y - kHeading - 22}},
                  *probe.find<MapProbe>());
     using enum LegendEntry::Kind;
     const LegendEntry legend[] = {{LegendEntry::Kind::filled, kFan, "what a texel sees, up to its depth"},
@@ -171,7 +174,7 @@ void drawMap(drawing::Drawing& drawing, const drawing::Box& area, const Probe& p
                                   {dashed, kCompared, "compared depth z, less the bias"},
                                   {line, "#4d4d4d", "caster"},
                                   {line, "#a6a6a6", "casts no shadow"}};
-    drawLegend(drawing, {area.corner + dvec2(0, area.size.y - kLegend), {area.size.x, kLegend}}, legend, font);
+    drawLegend(drawing, {area.corner + dvec2(0, area.size.y - legendHeight), {area.size.x, legendHeight}}, legend, font);
 }
 
 } // namespace shadowlab::figures

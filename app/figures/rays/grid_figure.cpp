@@ -70,7 +70,8 @@ Diagram drawGrid(const FigureSource& source) {
         writeFoot(drawing, roomOf(source),
                   std::to_string(grid.counts.x) + " x " + std::to_string(grid.counts.y) + " x " +
                       std::to_string(grid.counts.z) + " cells, seen " + axisWords(axis) +
-                      ". Blue cells are empty. Only the objects that the others list are tested, cell by cell, until one is hit.",
+                      ". Blue cells are empty. Only the objects that the others list are tested, cell by cell, until one is hit. "
+                      "Things drawn in a blue cell lie before it or behind it.",
                   source.font);
     const drawing::Box area{below.corner, {below.size.x - kListWidth - 20, below.size.y}};
     ParallelView view = viewAlong(axis, source.view.camera);

@@ -229,7 +229,7 @@ std::vector<std::string> verdictForms(const WindowState& ui, const lab::LiveErro
     if (stage.isPass)
         return {light + "a step, not judged" + time, light + "a step, not judged", light + "a step"};
     const lab::PaneErrors* const known = errors.errors(pane);
-    if (!known && stage.isOutside()) return {light + "from outside, not judged", light + "from outside", "outside"};
+    if (stage.isOutside()) return {light + "from outside, not judged", light + "from outside", "outside"};
     if (!known) return {light + "not judged yet" + time, light + "not judged yet", light + "not judged", "not judged"};
     const int wrong = known->counts.wrong();
     const std::string about = errors.areFinal(pane) ? "" : "≈ ";
