@@ -198,8 +198,7 @@ public:
     }
 
 private:
-    /// While what the picture depends on stays, the next frame goes on where the deadline has ended the last one; and the next step
-    /// with what the steps before it have found.
+    /// While what the picture depends on stays, the next frame goes on where a deadline ended the last one, the next step with what is there.
     void beginOrGoOn(const Frame& frame) {
         const Asked asked{snapshot_, frame.view().camera, frame.view().size, depth_, attenuation_};
         const bool isOtherStep = std::exchange(stopsAfter_, frame.stopsAfter()) != frame.stopsAfter();
@@ -208,8 +207,7 @@ private:
         visibility_.assign(snapshot_->lights.size(), PixelRows());
         for (PixelRows* rows : {&distance_, &levels_, &intensity_})
             rows->restart(frame.view().size);
-        for (PixelRows& rows : visibility_)
-            rows.restart(frame.view().size);
+        for (PixelRows& rows : visibility_) rows.restart(frame.view().size);
     }
 
     static void publish(Frame& frame, std::string_view stage, int light, const PixelRows& rows, std::string unit) {
