@@ -88,7 +88,8 @@ def sizes(day):
     day.window.hand("windowunmap", day.number)
     day.window.hand("windowmap", day.number)
     day.window.hand("mousemove", 600, 400)
-    for _ in range(2):
+    day.window.key("h", "keys")
+    while day.window.state["shown"]["keys"]:  # the list may have several pages
         day.window.key("h", "keys")
     day.unchanged(f"{rounds} resizes")
     return len(tried) + rounds

@@ -166,6 +166,7 @@ void drawBand(WindowState& ui, const Area& area, float typeShare, const Theme& t
     ImGui::BeginGroup();
     drawCode(page, smaller);
     ImGui::EndGroup();
+    ImGui::SetWindowFontScale(1); // it is kept, also for the thin band
     ImGui::End();
     if (by != 0) goThroughStory(ui, by);
 }
