@@ -57,6 +57,8 @@ def walk(script, program, actions):
                     windows[letter] = Shown(program, display, folder, *script.windows[letter], "--keep-settings", "false", "--size", "1280x720")
                     to_close.callback(windows[letter].close)
                     windows[letter].hand("mousemove", *OVER_A_THING)
+                    # They are started ten minutes before: a technique's steps are known when its first picture is there.
+                    windows[letter].wait("a first picture", lambda s: s["settled"] or any(pane["frameMs"] > 0 for pane in s["panes"]))
                 seconds += pressed(windows[letter], key, actions[key])
                 if key == "PageDown" and script.shows_deck(letter):
                     slide = to_reach.pop(0)
