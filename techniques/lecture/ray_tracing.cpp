@@ -198,7 +198,7 @@ public:
     }
 
 private:
-    /// While what the picture depends on stays, the next frame goes on where a deadline ended the last one, the next step with what is there.
+    /// While the picture stays the same, the next frame goes on where a deadline ended the last one, the next step with what is there.
     void beginOrGoOn(const Frame& frame) {
         const Asked asked{snapshot_, frame.view().camera, frame.view().size, depth_, attenuation_};
         const bool isOtherStep = std::exchange(stopsAfter_, frame.stopsAfter()) != frame.stopsAfter();
