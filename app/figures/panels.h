@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "app/drawing/labels.h"
+#include "app/figures/pixel_diagram.h"
 #include "app/figures/rays/shown_tree.h"
 #include "techniques/foundation/scene/model/scene.h"
 #include "techniques/probed/map_probe.h"
@@ -9,8 +10,8 @@
 
 namespace shadowlab::figures {
 
-// A sheet is as wide as a slide; its type is 1/45 of a slide's height, which is read from the last row.
-constexpr double kSheetWidth = 1920, kText = 24, kHeading = 30, kSheetRow = 32;
+// Type is 1/45 of a slide's height, which is read from the last row.
+constexpr double kText = 24, kHeading = 30, kSheetRow = 32;
 
 /// "0.0412", "1.3·10⁻⁶": four digits, those of the power of ten raised.
 std::string fourDigits(double value);

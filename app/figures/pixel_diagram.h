@@ -22,8 +22,8 @@ struct Diagram {
     [[nodiscard]] std::string document() const { return drawing.document(title); }
 };
 
-/// How high drawings of the plane through eye, light and point are, on a sheet 1920 pixels wide: as a slide.
-constexpr double kSectionHeight = 1080, kSectionWidth = 1920;
+/// A sheet is as wide as a slide, and drawings of the plane through eye, light and point are as high as one.
+constexpr double kSheetWidth = 1920, kSectionHeight = 1080;
 /// The least width of a sheet of the probe: in a narrow room type is larger on a narrow sheet. Only that of a shadow map without a filter
 /// can be narrower than 1920.
 double leastWidth(const Probe& probe);
@@ -32,6 +32,6 @@ double leastWidth(const Probe& probe);
 /// surface. `font` is DejaVu Sans, which the document names: labels are placed by its measures. Same input, same
 /// bytes. `sectionWidth`: from leastWidth() to 1920.
 Diagram pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font,
-                     double sectionHeight = kSectionHeight, double sectionWidth = kSectionWidth);
+                     double sectionHeight = kSectionHeight, double sectionWidth = kSheetWidth);
 
 } // namespace shadowlab::figures

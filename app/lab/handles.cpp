@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/lab/handles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -49,11 +50,18 @@ scene::Snapshot withMoved(const scene::Snapshot& snapshot, const Selection& what
     return scene::withLights(snapshot, std::move(lights));
 }
 
+PictureProjection::PictureProjection(const scene::Camera& camera, const dvec2& size)
+    : clipFromWorld_(scene::clipFromView(camera, size.x / std::max(1.0, size.y)) * scene::viewFromWorld(camera)), size_(size),
+      near_(camera.near) {}
+
+std::optional<dvec2> PictureProjection::pixel(const dvec3& positionWorld) const {
+    const dvec4 clip = clipFromWorld_ * dvec4(positionWorld, 1.0);
+    if (clip.w <= near_) return {};
+    return dvec2(0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w) * size_;
+}
+
 std::optional<dvec2> pixelOf(const scene::Camera& camera, ivec2 size, const dvec3& positionWorld) {
-    const double aspect = static_cast<double>(size.x) / size.y;
-    const dvec4 clip = scene::clipFromView(camera, aspect) * (scene::viewFromWorld(camera) * dvec4(positionWorld, 1.0));
-    if (clip.w <= camera.near) return {};
-    return dvec2(0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w) * dvec2(size);
+    return PictureProjection(camera, size).pixel(positionWorld);
 }
 
 std::optional<EdgeMark> edgeMarkOf(const scene::Camera& camera, ivec2 size, double margin, const dvec3& positionWorld) {

@@ -31,7 +31,19 @@ std::vector<Handle> handles(const scene::Scene& scene, const std::vector<scene::
 scene::Snapshot withMoved(const scene::Snapshot& snapshot, const Selection& what, const dvec3& byWorld,
                           const scene::Camera& camera);
 
-/// Where a point lies in the picture, in pixels from its upper left corner; nothing behind the eye.
+/// From the scene to the picture of that size: for many points.
+class PictureProjection {
+public:
+    PictureProjection(const scene::Camera& camera, const dvec2& size);
+    /// In pixels from the picture's upper left corner; nothing behind the camera.
+    [[nodiscard]] std::optional<dvec2> pixel(const dvec3& positionWorld) const;
+
+private:
+    dmat4 clipFromWorld_;
+    dvec2 size_;
+    double near_;
+};
+/// The same for one point.
 std::optional<dvec2> pixelOf(const scene::Camera& camera, ivec2 size, const dvec3& positionWorld);
 
 /// A mark at the picture's edge for a point that the picture does not show.

@@ -85,12 +85,12 @@ Plate keyPlate(const Panel& panel, const image::Font& font, double em, int wides
 
 } // namespace
 
-std::string shortNumber(double value) {
+std::string shortNumber(double value, int digits) {
     const bool whole = std::abs(value) >= 100 && std::abs(value) < 1e6; // 1234 and not 1.23e+03
     std::array<char, 32> buffer{};
     const auto [end, error] =
         whole ? std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::llround(value))
-              : std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 3);
+              : std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
     return error == std::errc{} ? std::string(buffer.data(), end) : std::string();
 }
 

@@ -10,8 +10,8 @@
 
 namespace shadowlab::picture {
 
-/// Three significant digits, more only before the point: legends are read from afar.
-std::string shortNumber(double value);
+/// So many significant digits, more only before the point: legends are read from afar.
+std::string shortNumber(double value, int digits = 3);
 
 /// A plate that is laid out but not yet drawn, so that one can first test whether there is room for it.
 struct Plate {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/picture/labels.h"
 #include "app/picture/verdict_reasons.h"
 #include "techniques/probed/map_probe.h"
 #include "techniques/probed/patch_exchange.h"
@@ -103,7 +104,7 @@ void decideByPatch(const PatchProbe& patch, const SeenPoint& seen, PixelVerdict&
     verdict.light = seen.truth == trace::Visibility::turnedAway && *seen.lightShare == 0 ? PixelLight::turnedAway
                                                                                          : lightOf(*seen.lightShare);
     // Of the whole patch: with other patches the same pixel has another share.
-    reason = "the patch of " + significant(patch.area) + " m^2 on " + patch.object + " sees " + percentOf(*seen.lightShare) + " of " +
+    reason = "the patch of " + shortNumber(patch.area, 2) + " m^2 on " + patch.object + " sees " + percentOf(*seen.lightShare) + " of " +
              seen.lightName;
 }
 

@@ -65,11 +65,6 @@ std::string fixed(double number, int decimals) {
     return {text.data(), end};
 }
 
-std::string significant(double number) {
-    const int before = number != 0 ? static_cast<int>(std::floor(std::log10(std::abs(number)))) : 0;
-    return fixed(number, std::max(0, 1 - before));
-}
-
 std::string percentOf(double share) {
     if (share > 0 && share < 0.01) return "less than 1 %";
     if (share < 1 && share > 0.99) return "more than 99 %";

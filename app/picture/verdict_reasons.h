@@ -16,8 +16,6 @@ namespace shadowlab::picture {
 
 /// With that many digits after the point.
 std::string fixed(double number, int decimals);
-/// With two digits that say something.
-std::string significant(double number);
 /// "33 %"; 0 % and 100 % are said of nothing else than 0 and 1.
 std::string percentOf(double share);
 

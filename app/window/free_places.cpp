@@ -20,10 +20,12 @@ float overlap(const PlaceBox& a, const PlaceBox& b) {
            std::max(0.0f, std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y));
 }
 
-float FreePlaces::cost(const PlaceBox& box, float least) const {
+float FreePlaces::cost(const PlaceBox& box, float least, float most) const {
     float sum = 0;
-    for (const Taken& taken : taken_)
+    for (const Taken& taken : taken_) {
+        if (sum > most) break;
         if (taken.weight >= least) sum += taken.weight * overlap(taken.box, box);
+    }
     return sum;
 }
 

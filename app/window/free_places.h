@@ -32,8 +32,9 @@ public:
 
     explicit FreePlaces(const Area& area) : area_(area) {}
     void take(const PlaceBox& box, float weight) { taken_.push_back({box, weight}); }
-    /// Pixels of the box that are taken, each as often as its weight says; of what weighs less than `least`, none.
-    [[nodiscard]] float cost(const PlaceBox& box, float least = 0) const;
+    /// Pixels of the box that are taken, each as often as its weight says; of what weighs less than `least`, none. Beyond `most` it is not
+    /// counted to its end.
+    [[nodiscard]] float cost(const PlaceBox& box, float least = 0, float most = FLT_MAX) const;
     [[nodiscard]] bool isTaken(ImVec2 at) const;
     /// A box of that size, moved into the pane.
     [[nodiscard]] PlaceBox within(ImVec2 corner, ImVec2 size) const;

@@ -46,15 +46,12 @@ PlaceBox fittedPicture(ImVec2 size, const Area& area) {
 }
 
 PictureView::PictureView(const scene::Camera& camera, const PlaceBox& picture)
-    : picture_(picture),
-      clipFromWorld_(scene::clipFromView(camera, static_cast<double>(picture.size().x) / std::max(1.0f, picture.size().y)) *
-                     scene::viewFromWorld(camera)),
-      near_(camera.near) {}
+    : picture_(picture), projection_(camera, {picture.size().x, picture.size().y}) {}
 
 std::optional<ImVec2> PictureView::place(const dvec3& positionWorld) const {
-    const dvec4 clip = clipFromWorld_ * dvec4(positionWorld, 1.0);
-    if (clip.w <= near_) return {};
-    return placeAt(picture_, {0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w});
+    const auto pixel = projection_.pixel(positionWorld);
+    if (!pixel) return {};
+    return ImVec2(picture_.low.x + static_cast<float>(pixel->x), picture_.low.y + static_cast<float>(pixel->y));
 }
 
 std::optional<PictureView> pictureView(const WindowState& ui, const ShownPane& shown) {

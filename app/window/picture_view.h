@@ -21,8 +21,7 @@ public:
 
 private:
     PlaceBox picture_;
-    dmat4 clipFromWorld_;
-    double near_;
+    lab::PictureProjection projection_;
 };
 /// Of the eye or of the second camera; nothing where the picture is a light's, or there is none.
 std::optional<PictureView> pictureView(const WindowState& ui, const ShownPane& shown);

@@ -110,11 +110,11 @@ TEST(SectionDiagramTest, CanBeReadWhateverTheSceneIs) {
                     named.name + ", " + technique + ", " + std::to_string(pixel.x) + "," + std::to_string(pixel.y);
                 const Probe probe = ask(named.scene, technique, pixel);
                 if (canDraw(probe))
-                    expectReadable(pixelDiagram(probe, *named.scene, testFont()).document(), kSectionWidth, what);
+                    expectReadable(pixelDiagram(probe, *named.scene, testFont()).document(), kSheetWidth, what);
                 if (technique != std::string_view("shadow-map")) continue;
                 const Probe hard = ask(named.scene, technique, pixel, "filter", "hard");
                 const double least = leastWidth(hard);
-                if (!canDraw(hard) || least == kSectionWidth) continue;
+                if (!canDraw(hard) || least == kSheetWidth) continue;
                 ++narrow;
                 expectReadable(pixelDiagram(hard, *named.scene, testFont(), kSectionHeight, least).document(), least, what + ", narrow");
             }

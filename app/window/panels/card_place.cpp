@@ -27,16 +27,16 @@ struct Tried {
     }
 };
 
-/// How often points on the line lie over what is taken.
-float crossedBy(ImVec2 from, ImVec2 to, const FreePlaces& places, float step) {
+/// How often points on the line lie over what is taken; beyond `most` they are not counted to the end.
+float crossedBy(ImVec2 from, ImVec2 to, const FreePlaces& places, float step, float most) {
     const int pieces = static_cast<int>(std::hypot(to.x - from.x, to.y - from.y) / step);
-    int crossed = 0;
-    for (int i = 1; i < pieces; ++i) {
+    float crossed = 0;
+    for (int i = 1; i < pieces && crossed <= most; ++i) {
         const float share = static_cast<float>(i) / static_cast<float>(pieces);
         const ImVec2 at(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y));
         crossed += places.isTaken(at) ? 1 : 0;
     }
-    return static_cast<float>(crossed);
+    return crossed;
 }
 
 /// From low to high in equal steps, both of them included.
@@ -56,9 +56,10 @@ Tried bestPlace(ImVec2 size, ImVec2 point, float keepFree, const FreePlaces& pla
         for (const float x : steps(low.x + margin, high.x - margin - size.x, kStepEm * theme.em)) {
             const PlaceBox box = places.within({x, y}, size);
             const float onPoint = FreePlaces::kSign * overlap(box, PlaceBox::around(point, keepFree));
-            Tried tried{box, places.cost(box) + onPoint, 0, std::min(box.distance(point), kFarEm * theme.em)};
+            Tried tried{box, places.cost(box, 0, best.cost - onPoint) + onPoint, 0, std::min(box.distance(point), kFarEm * theme.em)};
             if (tried.cost > best.cost) continue;
-            tried.crossed = crossedBy(point, box.nearest(point), places, kLineStepEm * theme.em);
+            const float most = tried.cost < best.cost ? FLT_MAX : best.crossed; // more is not better
+            tried.crossed = crossedBy(point, box.nearest(point), places, kLineStepEm * theme.em, most);
             if (tried.isBetterThan(best)) best = tried;
         }
     return best;
