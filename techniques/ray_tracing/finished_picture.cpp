@@ -3,104 +3,128 @@
 
 #include <algorithm>
 
-#include "techniques/foundation/scene/query/shading.h"
 #include "techniques/foundation/trace/parallel.h"
+#include "techniques/ray_tracing/lanes/pixel_lanes.h"
 
 namespace shadowlab::ray_tracing {
 
 namespace {
 
-/// srgbFromLinear() from a table: a power for each channel of each pixel would take longer than the shading.
-class Encoding {
+void put(Lane (&lanes)[3], std::size_t i, const vec3& value) {
+    lanes[0][i] = value.r;
+    lanes[1][i] = value.g;
+    lanes[2][i] = value.b;
+}
+
+/// Fills the lanes with pixels side by side.
+class Gathering {
 public:
-    explicit Encoding(float exposure) : exposure_(exposure) {}
-    [[nodiscard]] image::Color8 operator()(const vec3& radiance) const {
-        return {level(radiance.r), level(radiance.g), level(radiance.b), 255};
+    Gathering(const Surfaces& surfaces, const Picture& traced)
+        : surfaces_(surfaces), hits_(traced.points()), triangles_(surfaces.tracer().bvh().triangles),
+          eyeCentred_(traced.camera().positionWorld - surfaces.tracer().world().originWorld) {}
+
+    void operator()(std::size_t first, std::size_t count, PixelLanes& pixels) const {
+        pixels.count = count;
+        pixels.anySpecular = false;
+        for (std::size_t i = 0; i < count;) {
+            const trace::SurfacePoint& hit = hits_[first + i];
+            std::size_t end = i + 1; // of the run of pixels that see this triangle
+            while (end < count && hits_[first + end].primitive == hit.primitive && hits_[first + end].eyeOnFront == hit.eyeOnFront)
+                ++end;
+            if (hit)
+                addRun(&hits_[first], i, end, pixels);
+            else
+                addBackground(i, end, pixels);
+            i = end;
+        }
     }
 
 private:
-    // In the steepest part of the curve, 12.92 c, neighbouring entries are a twentieth of a level apart.
-    static constexpr int kLast = 65535;
-    static const std::vector<std::uint8_t>& table() {
-        static const std::vector<std::uint8_t> levels = [] {
-            std::vector<std::uint8_t> made(kLast + 1);
-            for (int i = 0; i <= kLast; ++i)
-                made[static_cast<std::size_t>(i)] = image::srgbFromLinear(static_cast<float>(i) / kLast);
-            return made;
-        }();
-        return levels;
+    /// What is the same in all of a triangle is found once. Corners are taken relative to the eye in double, so that nothing is lost
+    /// far from the origin.
+    void addRun(const trace::SurfacePoint* hits, std::size_t begin, std::size_t end, PixelLanes& pixels) const {
+        const trace::SurfacePoint point = hits[begin];
+        const trace::Triangle& triangle = triangles_[point.primitive];
+        const vec3 c(triangle.c - eyeCentred_), ca(triangle.a - triangle.c), cb(triangle.b - triangle.c);
+        const auto [normalA, normalB, normalC] = surfaces_.cornerNormalsWorld(point);
+        const vec3 normalCA = normalA - normalC, normalCB = normalB - normalC;
+        const scene::Material& material = surfaces_.materialOf(point);
+        const vec3 lightsOff = surfaces_.lightsOff(point);
+        pixels.anySpecular = pixels.anySpecular || material.specular != vec3(0);
+        for (std::size_t i = begin; i < end; ++i) {
+            const vec2 weights = hits[i].weights;
+            put(pixels.positionEye, i, c + weights.x * ca + weights.y * cb);
+            put(pixels.normalWorld, i, normalC + weights.x * normalCA + weights.y * normalCB);
+            put(pixels.diffuse, i, material.diffuse);
+            put(pixels.specular, i, material.specular);
+            pixels.shininess[i] = material.shininess;
+            put(pixels.radiance, i, lightsOff);
+        }
     }
-    [[nodiscard]] std::uint8_t level(float linear) const {
-        return levels_[static_cast<std::size_t>(std::clamp(exposure_ * linear, 0.0f, 1.0f) * kLast + 0.5f)];
+    void addBackground(std::size_t begin, std::size_t end, PixelLanes& pixels) const {
+        for (std::size_t i = begin; i < end; ++i) {
+            put(pixels.radiance, i, surfaces_.scene().background);
+            put(pixels.specular, i, vec3(0));
+        }
     }
-    float exposure_;
-    const std::uint8_t* levels_ = table().data();
+
+    const Surfaces& surfaces_;
+    const Grid<trace::SurfacePoint>& hits_;
+    const std::vector<trace::Triangle>& triangles_;
+    dvec3 eyeCentred_;
 };
 
-/// What shading needs of a light, relative to the centre of the traced scene.
-struct CentredLight {
-    const scene::Light* source;
-    const Grid<trace::Visibility>* visibility;
-    dvec3 positionCentred;
-    vec3 intensity; ///< per colour
-    bool isDirectional;
-};
-
-std::vector<CentredLight> centredLights(const Surfaces& surfaces, const Picture& traced) {
-    std::vector<CentredLight> lights;
-    for (int i = 0; i < static_cast<int>(surfaces.scene().lights.size()); ++i) {
-        const scene::Light& light = surfaces.scene().light(i);
-        lights.push_back({&light, &traced.visibility(i), light.positionWorld - surfaces.tracer().world().originWorld,
-                          vec3(dvec3(light.color) * scene::pointIntensity(light)),
-                          light.type == scene::LightType::directional});
+/// Marks the pixels that a light reaches; false: there are none.
+bool markLit(const Grid<trace::Visibility>& visibility, std::size_t first, PixelLanes& pixels) {
+    bool any = false;
+    for (std::size_t i = 0; i < pixels.count; ++i) {
+        const bool isLit = visibility[first + i] == trace::Visibility::lit;
+        pixels.isLit[i] = isLit ? 1.0f : 0.0f;
+        any = any || isLit;
     }
-    return lights;
+    return any;
 }
 
 } // namespace
 
 void FinishedPicture::encode(const Grid<vec3>& radiance, float exposure) {
+    const LaneKernels& kernels = bestLaneKernels();
     colors_.resize(radiance.size());
     constexpr std::size_t kRun = 8192; // pixels for a thread at a time
-    trace::parallelFor((radiance.size() + kRun - 1) / kRun, [&, encoding = Encoding(exposure)](std::size_t run) {
-        for (std::size_t i = run * kRun; i < std::min(radiance.size(), (run + 1) * kRun); ++i)
-            colors_[i] = encoding(radiance[i]);
+    trace::parallelFor((radiance.size() + kRun - 1) / kRun, [&](std::size_t run) {
+        PixelLanes pixels{};
+        const std::size_t end = std::min(radiance.size(), (run + 1) * kRun);
+        for (std::size_t first = run * kRun; first < end; first += kLanes) {
+            pixels.count = std::min(kLanes, end - first);
+            for (std::size_t i = 0; i < pixels.count; ++i)
+                put(pixels.radiance, i, radiance[first + i]);
+            ray_tracing::encode(kernels, pixels, exposure, std::span(colors_).subspan(first));
+        }
     });
 }
 
 void FinishedPicture::shade(const Surfaces& surfaces, const Picture& traced) {
-    const trace::SceneTracer& tracer = surfaces.tracer();
-    const std::vector<CentredLight> lights = centredLights(surfaces, traced);
-    const dvec3 eyeCentred = traced.camera().positionWorld - tracer.world().originWorld;
+    const LaneKernels& kernels = bestLaneKernels();
+    std::vector<LaneLight> lights;
+    for (const scene::Light& light : surfaces.scene().lights)
+        lights.push_back(laneLight(light, traced.camera().positionWorld));
+    const Gathering gather(surfaces, traced);
     const auto width = static_cast<std::size_t>(traced.size().x), height = static_cast<std::size_t>(traced.size().y);
-    const Encoding encoding(surfaces.scene().exposure);
-    const image::Color8 background = encoding(surfaces.scene().background);
-    const auto colorOf = [&](std::size_t pixel) {
-        const PixelHit& hit = traced.points()[pixel];
-        if (!hit) return background;
-        const trace::SurfacePoint point = hit.surfacePoint();
-        vec3 radiance = surfaces.lightsOff(point);
-        const auto isLitBy = [&](const CentredLight& light) { return (*light.visibility)[pixel] == trace::Visibility::lit; };
-        if (std::ranges::none_of(lights, isLitBy)) return encoding(radiance);
-        // Differences in double, so that nothing is lost in a scene that is large or far from its origin.
-        const dvec3 positionCentred = tracer.positionCentred(point);
-        const vec3 toEyeWorld = glm::normalize(vec3(eyeCentred - positionCentred));
-        const vec3 normalWorld = surfaces.normalWorld(point, toEyeWorld);
-        for (const CentredLight& light : lights) {
-            if (!isLitBy(light)) continue;
-            const vec3 offset(light.positionCentred - positionCentred);
-            const vec3 toLightWorld = light.isDirectional ? vec3(-light.source->directionWorld) : glm::normalize(offset);
-            const float left = scene::falloff(*light.source, normalWorld, toLightWorld, glm::dot(offset, offset));
-            if (left > 0)
-                radiance += left * light.intensity *
-                            scene::reflectance(surfaces.materialOf(point), normalWorld, toLightWorld, toEyeWorld);
-        }
-        return encoding(radiance);
-    };
     colors_.resize(width * height);
     trace::parallelFor(height, [&](std::size_t y) {
-        for (std::size_t x = 0; x < width; ++x)
-            colors_[(height - 1 - y) * width + x] = colorOf(y * width + x);
+        PixelLanes pixels{};
+        for (std::size_t x = 0; x < width; x += kLanes) {
+            const std::size_t first = y * width + x;
+            gather(first, std::min(kLanes, width - x), pixels);
+            bool isTurned = false;
+            for (std::size_t light = 0; light < lights.size(); ++light) {
+                if (!markLit(traced.visibility(static_cast<int>(light)), first, pixels)) continue;
+                if (!isTurned) kernels.turnToEye(pixels);
+                isTurned = true;
+                addLight(kernels, pixels, lights[light]);
+            }
+            ray_tracing::encode(kernels, pixels, surfaces.scene().exposure, std::span(colors_).subspan((height - 1 - y) * width + x));
+        }
     });
 }
 

@@ -34,9 +34,14 @@ void Picture::restart(const trace::SceneTracer& tracer, const scene::Camera& cam
     camera_ = camera;
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     points_.resize(pixels);
+    seenBlocks_ = 0;
+    restartLights(tracer);
+}
+
+void Picture::restartLights(const trace::SceneTracer& tracer) {
     visibility_.resize(tracer.scene().lights.size());
     for (Grid<trace::Visibility>& ofLight : visibility_)
-        ofLight.resize(pixels);
+        ofLight.resize(points_.size());
     reflected_.clear();
     transmitted_.clear();
     levels_.clear();
@@ -53,7 +58,7 @@ void Picture::clearFrom(std::size_t firstBlock) {
         const ivec2 corner = blocks.corner(block), blockSize = blocks.sizeAt(corner);
         for (int y = corner.y; y < corner.y + blockSize.y; ++y) {
             const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * size_.x + corner.x;
-            std::fill_n(points_.begin() + first, blockSize.x, PixelHit());
+            if (block >= seenBlocks_) std::fill_n(points_.begin() + first, blockSize.x, trace::SurfacePoint());
             for (Grid<trace::Visibility>& ofLight : visibility_)
                 std::fill_n(ofLight.begin() + first, blockSize.x, trace::Visibility::noSurface);
         }
@@ -66,11 +71,23 @@ double Picture::done(bool withTrees) const {
     return withTrees ? 0.5 * (traced + static_cast<double>(treeBlocks_) / all) : traced;
 }
 
+/// The ends of the eye rays through the pixels of a block.
+void Picture::traceEyeRays(const trace::SceneTracer& tracer, const trace::EyeRays& rays, const TraceSettings& settings, ivec2 corner,
+                           ivec2 blockSize, std::span<trace::SurfacePoint> points) const {
+    const dvec2 centre(0.5);
+    if (settings.receivers.empty()) return tracer.eyePoints(rays, corner, blockSize, centre, points);
+    std::array<std::uint32_t, kBlockSide * kBlockSide> receivers;
+    for (int y = 0; y < blockSize.y; ++y)
+        std::copy_n(settings.receivers.begin() + static_cast<std::ptrdiff_t>(corner.y + y) * size_.x + corner.x, blockSize.x,
+                    receivers.begin() + y * blockSize.x);
+    tracer.eyePointsOn({receivers.data(), points.size()}, rays, corner, blockSize, centre, points);
+}
+
 bool Picture::trace(const trace::SceneTracer& tracer, const TraceSettings& settings, Deadline deadline) {
     const Blocks blocks{size_, kBlockSide};
     const trace::EyeRays rays = tracer.eyeRays(camera_, size_);
-    const dvec2 centre(0.5);
     const bool begins = tracedBlocks_ == 0;
+    const std::size_t seen = seenBlocks_;
     tracedBlocks_ = trace::parallelUntil(deadline, tracedBlocks_, blocks.count(), [&](std::size_t block) {
         const ivec2 corner = blocks.corner(block), blockSize = blocks.sizeAt(corner);
         std::array<trace::SurfacePoint, kBlockSide * kBlockSide> blockPoints;
@@ -82,21 +99,16 @@ bool Picture::trace(const trace::SceneTracer& tracer, const TraceSettings& setti
             for (int y = 0; y < blockSize.y; ++y)
                 copy(y * blockSize.x, static_cast<std::ptrdiff_t>(corner.y + y) * size_.x + corner.x);
         };
-        if (settings.receivers.empty()) {
-            tracer.eyePoints(rays, corner, blockSize, centre, points);
-        } else {
-            std::array<std::uint32_t, kBlockSide * kBlockSide> receivers;
+        if (block < seen) {
             forEachRow([&](int place, std::ptrdiff_t picture) {
-                std::copy_n(settings.receivers.begin() + picture, blockSize.x, receivers.begin() + place);
+                std::copy_n(points_.begin() + picture, blockSize.x, points.begin() + place);
             });
-            tracer.eyePointsOn({receivers.data(), count}, rays, corner, blockSize, centre, points);
+        } else {
+            traceEyeRays(tracer, rays, settings, corner, blockSize, points);
+            forEachRow([&](int place, std::ptrdiff_t picture) {
+                std::copy_n(points.begin() + place, blockSize.x, points_.begin() + picture);
+            });
         }
-        forEachRow([&](int place, std::ptrdiff_t picture) {
-            std::transform(points.begin() + place, points.begin() + place + blockSize.x, points_.begin() + picture,
-                           [](const trace::SurfacePoint& point) {
-                               return PixelHit{point.primitive, vec2(point.weights), point.eyeOnFront};
-                           });
-        });
         for (std::size_t light = 0; light < visibility_.size(); ++light) {
             if (settings.start == trace::ShadowStart::exact)
                 tracer.visibilities(points, static_cast<int>(light), answers);
@@ -109,6 +121,7 @@ bool Picture::trace(const trace::SceneTracer& tracer, const TraceSettings& setti
             });
         }
     });
+    seenBlocks_ = std::max(seenBlocks_, tracedBlocks_);
     if (begins) clearFrom(tracedBlocks_);
     return isTraced();
 }
@@ -116,7 +129,7 @@ bool Picture::trace(const trace::SceneTracer& tracer, const TraceSettings& setti
 void Picture::shadeLightsOff(const Surfaces& surfaces) {
     radiance_.resize(points_.size());
     forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
-        radiance_[fromBelow] = points_[i] ? surfaces.lightsOff(points_[i].surfacePoint()) : surfaces.scene().background;
+        radiance_[fromBelow] = points_[i] ? surfaces.lightsOff(points_[i]) : surfaces.scene().background;
     });
 }
 
@@ -125,7 +138,7 @@ void Picture::shadeLight(const Surfaces& surfaces, int light) {
     const Grid<trace::Visibility>& visibility = visibility_[static_cast<std::size_t>(light)];
     forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
         if (visibility[i] != trace::Visibility::lit) return;
-        const trace::SurfacePoint point = points_[i].surfacePoint();
+        const trace::SurfacePoint point = points_[i];
         const dvec3 positionWorld = surfaces.tracer().positionWorld(point);
         const dvec3 toViewerWorld = glm::normalize(camera_.positionWorld - positionWorld);
         radiance_[fromBelow] +=
@@ -137,7 +150,7 @@ void Picture::shadeAreaLight(const Surfaces& surfaces, int light, const Grid<flo
     if (irradiances.empty()) return;
     forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
         if (irradiances[i] == 0) return;
-        const trace::SurfacePoint point = points_[i].surfacePoint();
+        const trace::SurfacePoint point = points_[i];
         const dvec3 positionWorld = surfaces.tracer().positionWorld(point);
         const dvec3 toViewerWorld = glm::normalize(camera_.positionWorld - positionWorld);
         radiance_[fromBelow] += vec3(surfaces.litByArea(point, light, irradiances[i], positionWorld,
@@ -157,7 +170,7 @@ bool Picture::traceTrees(const RayWorld& world, const TreeSettings& settings, De
     const DielectricStack aroundEye = surfaces.mediaAround(rays.eyeCentred());
     const auto width = static_cast<std::size_t>(size_.x), height = static_cast<std::size_t>(size_.y);
     const auto hasTree = [&](std::size_t i) {
-        return points_[i] && (settings.attenuates() || surfaces.splits(points_[i].surfacePoint()));
+        return points_[i] && (settings.attenuates() || surfaces.splits(points_[i]));
     };
     std::atomic<std::size_t> trees = 0, secondaryRays = 0;
     treeBlocks_ = trace::parallelUntil(deadline, treeBlocks_, blocks.count(), [&](std::size_t block) {
@@ -170,13 +183,8 @@ bool Picture::traceTrees(const RayWorld& world, const TreeSettings& settings, De
                 const std::size_t i = row * width + column;
                 levels_[i] = points_[i] ? 1 : 0;
                 if (!hasTree(i)) continue;
-                // The point once more, in double: the stored one is too coarse for rays to start from. Its triangle is known, so
-                // only that one is tested.
-                const dvec2 pixel(x + 0.5, y + 0.5);
-                const trace::SurfacePoint first = tracer.eyePointOn(points_[i].primitive, rays, pixel);
-                if (!first) continue;
-                tree.trace(world, settings, rays.eyeCentred(), glm::normalize(rays.through(pixel).directionCentred),
-                           first, aroundEye);
+                tree.trace(world, settings, rays.eyeCentred(), glm::normalize(rays.through(dvec2(x, y) + 0.5).directionCentred),
+                           points_[i], aroundEye);
                 const std::size_t fromBelow = (height - 1 - row) * width + column;
                 intensities_[fromBelow] = vec3(tree.root().intensity);
                 reflected_[fromBelow] = vec3(tree.addedByReflection());

@@ -24,23 +24,15 @@ struct TraceSettings {
     std::span<const std::uint32_t> receivers;
 };
 
-/// The hit of an eye ray, as the picture stores it: a million of them are read again for every light, and float is far finer than
-/// shading needs. Shadow rays start from the point in double, before it is stored.
-struct PixelHit {
-    std::uint32_t primitive = trace::kNoPrimitive;
-    vec2 weights{0.0f};
-    bool eyeOnFront = false;
-    explicit operator bool() const { return primitive != trace::kNoPrimitive; }
-    [[nodiscard]] trace::SurfacePoint surfacePoint() const { return {primitive, eyeOnFront, dvec2(weights)}; }
-};
-
 class Picture {
 public:
     /// Clears everything: for another scene, camera or size.
     void restart(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size);
+    /// Clears what depends on lights, and keeps where eye rays have ended: for a scene of which only the lights are others.
+    void restartLights(const trace::SceneTracer& tracer);
 
     /// One eye ray through the centre of every pixel (Appel, 1968) and, from every point that faces a light, one shadow ray to it
-    /// (Whitted, 1980), block by block while the points are in the cache. Continues where it was interrupted until all is traced
+    /// (Whitted, 1980), block by block while the points are in the cache. Eye rays whose ends are known are not traced again. Continues where it was interrupted until all is traced
     /// (true) or the deadline has passed (false), but always does some work; what is not traced yet is empty.
     bool trace(const trace::SceneTracer& tracer, const TraceSettings& settings, Deadline deadline);
     [[nodiscard]] bool isTraced() const { return tracedBlocks_ == blocks(); }
@@ -60,7 +52,7 @@ public:
 
     [[nodiscard]] ivec2 size() const { return size_; }
     [[nodiscard]] const scene::Camera& camera() const { return camera_; }
-    [[nodiscard]] const Grid<PixelHit>& points() const { return points_; }
+    [[nodiscard]] const Grid<trace::SurfacePoint>& points() const { return points_; }
     [[nodiscard]] const Grid<trace::Visibility>& visibility(int light) const {
         return visibility_[static_cast<std::size_t>(light)];
     }
@@ -80,16 +72,19 @@ public:
 private:
     [[nodiscard]] std::size_t blocks() const;
     void clearFrom(std::size_t firstBlock);
+    void traceEyeRays(const trace::SceneTracer& tracer, const trace::EyeRays& rays, const TraceSettings& settings, ivec2 corner,
+                      ivec2 blockSize, std::span<trace::SurfacePoint> points) const;
 
     ivec2 size_{0};
     scene::Camera camera_;
-    Grid<PixelHit> points_;
+    Grid<trace::SurfacePoint> points_; ///< in double, for shadow rays start from them
     std::vector<Grid<trace::Visibility>> visibility_; ///< per light
     Grid<vec3> radiance_;
     Grid<vec3> intensities_; ///< of trees; row 0 is at the bottom
     Grid<vec3> reflected_, transmitted_;
     Grid<std::uint8_t> levels_;
-    std::size_t tracedBlocks_ = 0, treeBlocks_ = 0; ///< how many blocks are done
+    std::size_t seenBlocks_ = 0;                    ///< blocks whose eye rays are traced
+    std::size_t tracedBlocks_ = 0, treeBlocks_ = 0; ///< how many blocks are done, shadow rays and all
     std::size_t trees_ = 0, secondaryRays_ = 0;
 };
 

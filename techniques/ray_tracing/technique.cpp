@@ -99,6 +99,16 @@ private:
         friend bool operator==(const PictureCacheKey&, const PictureCacheKey&) = default;
     };
 
+    /// What eye rays depend on: while it is equal, only the lights can have changed, and where those rays end is kept.
+    struct EyeRaysKey {
+        scene::Revisions revisions; ///< that of the lights left out
+        scene::Camera camera;
+        ivec2 size{0};
+        RayTracedParams params;
+        StructureParams structureParams;
+        friend bool operator==(const EyeRaysKey&, const EyeRaysKey&) = default;
+    };
+
     void restartIfChanged(const Frame& frame) {
         const View& view = frame.view();
         PictureCacheKey key{frame.snapshot(), view.camera,      view.size,      frame.stopsAfter(),
@@ -107,7 +117,13 @@ private:
         isFinished_ = false;
         if (goesOn) return;
         pictureKey_ = std::move(key);
-        picture_.restart(scene_.tracer(), view.camera, view.size);
+        EyeRaysKey eyeRays{frame.scene().revisions, view.camera, view.size, params_, structureParams_};
+        eyeRays.revisions.lights = 0;
+        if (eyeRays == eyeRaysKey_)
+            picture_.restartLights(scene_.tracer());
+        else
+            picture_.restart(scene_.tracer(), view.camera, view.size);
+        eyeRaysKey_ = eyeRays;
         sampled_.restart(samplingParams_.areMany() ? view.size : ivec2(0)); // its memory is large
         shares_.clear();
         isShaded_ = false;
@@ -275,6 +291,7 @@ private:
     SamplingParams samplingParams_;
 
     PictureCacheKey pictureKey_; // of all that follows
+    EyeRaysKey eyeRaysKey_;
     Picture picture_;
     SampledPicture sampled_;
     std::map<int, LightShares> shares_; ///< by light

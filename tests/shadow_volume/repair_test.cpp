@@ -173,7 +173,10 @@ protected:
             setDepth(part_, i, truth_[i] == Visibility::noSurface ? 1 : 0.5);
         }
     }
-    [[nodiscard]] Repair decided(PixelMask mask) const { return decide(part_, mask, tracer_, scene_->camera, 0); }
+    [[nodiscard]] Repair decided(PixelMask mask) const {
+        trace::PixelRays rays;
+        return decide(part_, mask, tracer_, scene_->camera, 0, rays);
+    }
     /// 1 where the bit has to be turned over.
     static PixelMask flipsOf(const Repair& repair, const CountedPart& part) {
         PixelMask flips = nothing(part);
@@ -252,7 +255,8 @@ TEST_F(Decided, PixelsBesideABlockOfRaysAndAloneGetOneAnswer) {
             marked[i] = 1;
             ++asked;
         }
-        const Repair repair = decide(part, marked, tracer_, scene_->camera, 0);
+        trace::PixelRays rays;
+        const Repair repair = decide(part, marked, tracer_, scene_->camera, 0, rays);
         EXPECT_EQ(repair.lookedAt.size(), asked);
         const PixelMask flips = flipsOf(repair, part), allFlips = flipsOf(all, whole);
         for (int y = 0; y < part.size.y; ++y)

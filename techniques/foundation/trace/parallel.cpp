@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <condition_variable>
 #include <cstdlib>
 #include <exception>
 #include <mutex>
+#include <stop_token>
 #include <string_view>
 #include <system_error>
 #include <thread>
@@ -15,6 +17,63 @@
 #include "techniques/foundation/base/error.h"
 
 namespace shadowlab::trace {
+
+namespace {
+
+/// The threads that help one thread, kept from one parallelFor to the next. A new thread begins when the scheduler gives it a turn,
+/// on a busy processor after three milliseconds; one that waits is awake after a thirtieth of one.
+class Helpers {
+public:
+    /// Runs `work` here and on `count` helpers, or fewer where the system refuses more threads, and returns when all have ended.
+    void run(std::size_t count, const std::function<void()>& work) {
+        {
+            const std::lock_guard lock(mutex_);
+            hire(count);
+            work_ = &work;
+            wanted_ = std::min(count, threads_.size());
+        }
+        begins_.notify_all();
+        work();
+        std::unique_lock lock(mutex_);
+        wanted_ = 0; // who is not yet awake has missed it
+        ended_.wait(lock, [this] { return working_ == 0; });
+        work_ = nullptr;
+    }
+    /// Within work: the helpers are taken.
+    [[nodiscard]] bool isAtWork() const { return work_ != nullptr; }
+
+private:
+    void hire(std::size_t count) {
+        try {
+            while (threads_.size() < count)
+                threads_.emplace_back([this](const std::stop_token& stop) { help(stop); });
+        } catch (const std::system_error&) {
+            // Those there are do all the work, at least the calling thread.
+        }
+    }
+    void help(const std::stop_token& stop) {
+        std::unique_lock lock(mutex_);
+        while (begins_.wait(lock, stop, [this] { return wanted_ > 0; })) {
+            --wanted_;
+            ++working_;
+            const std::function<void()>& work = *work_;
+            lock.unlock();
+            work();
+            lock.lock();
+            if (--working_ == 0) ended_.notify_one();
+        }
+    }
+
+    std::mutex mutex_;
+    std::condition_variable_any begins_;
+    std::condition_variable ended_;
+    const std::function<void()>* work_ = nullptr;
+    std::size_t wanted_ = 0, working_ = 0;
+    std::vector<std::jthread> threads_; // last: stopped and waited for before the rest goes
+};
+thread_local Helpers helpersOfThisThread;
+
+} // namespace
 
 int threadCount() {
     constexpr int kMost = 1024;
@@ -46,17 +105,12 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work
         }
     };
     const auto wanted = std::min(count, static_cast<std::size_t>(threads > 0 ? threads : threadCount()));
-    {
-        std::vector<std::jthread> helpers; // they are waited for at the end of the block
-        helpers.reserve(wanted);
-        try {
-            while (helpers.size() + 1 < wanted)
-                helpers.emplace_back(run);
-        } catch (const std::system_error&) {
-            // The system refuses more threads: the existing ones, at least this one, do all the work.
-        }
+    if (wanted <= 1)
         run();
-    }
+    else if (helpersOfThisThread.isAtWork()) // a piece of work that is itself done in pieces
+        Helpers().run(wanted - 1, run);
+    else
+        helpersOfThisThread.run(wanted - 1, run);
     if (failure) std::rethrow_exception(failure);
 }
 

@@ -14,8 +14,8 @@ namespace shadowlab::trace {
 int threadCount();
 
 /// Calls work(0) ... work(count - 1), each once, on up to `threads` threads (0: threadCount()), and returns when all
-/// are done. Where the system refuses a thread, fewer do the work. The first exception is thrown on. The threads are new
-/// ones each time, so on Linux they inherit the caller's place in the scheduler.
+/// are done. Where the system refuses a thread, fewer do the work. The first exception is thrown on. Each calling thread has
+/// helpers of its own, kept for its next call, so on Linux they have the place in the scheduler that it had at the first.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work, int threads = 0);
 
 /// Calls work(first) ... work(count - 1) in that order, but begins no piece after the deadline, except the first. Returns

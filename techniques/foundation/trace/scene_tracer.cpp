@@ -86,15 +86,6 @@ SurfacePoint SceneTracer::eyePoint(const EyeRays& rays, dvec2 pixel) const {
     return surfacePoint(rays, closest(rays.through(pixel), mayMeet(kNoPrimitive)));
 }
 
-SurfacePoint SceneTracer::eyePointOn(std::uint32_t primitive, const EyeRays& rays, dvec2 pixel) const {
-    const Ray ray = rays.through(pixel);
-    if (primitive == kNoPrimitive || !isUsable(ray)) return eyePoint(rays, pixel);
-    const ShearedRay sheared(ray);
-    const auto hit = intersect(sheared, bvh().triangles[primitive], sheared.farthest);
-    if (!hit || holes_(primitive, hit->barycentric)) return eyePoint(rays, pixel);
-    return surfacePoint(rays, {0, primitive, hit->barycentric});
-}
-
 SurfacePoint SceneTracer::surfacePoint(const EyeRays& rays, const RayHit& hit) const {
     if (!hit) return {};
     const Triangle& t = bvh().triangles[hit.primitive];

@@ -69,8 +69,6 @@ public:
         return {camera, size, world().originWorld};
     }
     [[nodiscard]] SurfacePoint eyePoint(const EyeRays& rays, dvec2 pixel) const;
-    /// The same where it is known which triangle the ray meets first: only that one is tried, and all where it is missed.
-    [[nodiscard]] SurfacePoint eyePointOn(std::uint32_t primitive, const EyeRays& rays, dvec2 pixel) const;
 
     /// The first surface on the ray from the point in that unit direction; of equally near triangles the lowest number.
     /// Ignores the point's own triangle, and its neighbours where they touch the point.

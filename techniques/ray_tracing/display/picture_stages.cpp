@@ -24,8 +24,8 @@ void publishDistances(Frame& frame, const trace::SceneTracer& tracer, const Pict
     // near.
     const trace::EyeRays rays = tracer.eyeRays(frame.view().camera, frame.view().size);
     std::vector<double> distances;
-    for (const PixelHit& point : picture.points())
-        if (point) distances.push_back(tracer.distance(rays, point.surfacePoint()));
+    for (const trace::SurfacePoint& point : picture.points())
+        if (point) distances.push_back(tracer.distance(rays, point));
     if (!distances.empty()) {
         std::ranges::sort(distances);
         display.minimum = distances[distances.size() / 50];
@@ -33,8 +33,8 @@ void publishDistances(Frame& frame, const trace::SceneTracer& tracer, const Pict
                                    display.minimum + 1e-3 * distances.back());
     }
     gl::Texture2D texture(GL_RG32F, picture.size(), "primary-hits");
-    upload(texture, picture.points(), picture.size(), [&](const PixelHit& point) {
-        return point ? vec2(static_cast<float>(tracer.distance(rays, point.surfacePoint())), 1.0f) : vec2(0.0f);
+    upload(texture, picture.points(), picture.size(), [&](const trace::SurfacePoint& point) {
+        return point ? vec2(static_cast<float>(tracer.distance(rays, point)), 1.0f) : vec2(0.0f);
     });
     frame.publish("primary-hits", kNoLight, std::move(texture), display);
 }
@@ -137,7 +137,7 @@ void publishLevels(Frame& frame, const Picture& picture) {
 
 RayCounts countRays(const trace::SceneTracer& tracer, const Picture& picture) {
     using enum trace::Visibility;
-    const Grid<PixelHit>& points = picture.points();
+    const Grid<trace::SurfacePoint>& points = picture.points();
     RayCounts counts;
     const bool allReceive = std::ranges::all_of(tracer.scene().objects, &scene::Object::receivesShadow);
     for (int light = 0; light < static_cast<int>(tracer.scene().lights.size()); ++light) {
@@ -149,10 +149,10 @@ RayCounts countRays(const trace::SceneTracer& tracer, const Picture& picture) {
         ofLight.blocked = count([](trace::Visibility one) { return one == shadowed; });
         ofLight.asked = count([](trace::Visibility one) { return one >= shadowed; });
         for (std::size_t i = 0; !allReceive && i < points.size(); ++i)
-            if (seen[i] >= shadowed && !tracer.objectOf(points[i].surfacePoint()).receivesShadow) --ofLight.asked;
+            if (seen[i] >= shadowed && !tracer.objectOf(points[i]).receivesShadow) --ofLight.asked;
     }
     if (counts.shadowRays.empty())
-        counts.hits = static_cast<std::size_t>(std::ranges::count_if(points, [](const PixelHit& point) { return bool(point); }));
+        counts.hits = static_cast<std::size_t>(std::ranges::count_if(points, [](const trace::SurfacePoint& point) { return bool(point); }));
     return counts;
 }
 

@@ -53,7 +53,7 @@ void publishStructure(Frame& frame, const trace::SceneTracer& tracer, const Stru
             // Dimmed a little, so that lines stand out from white.
             ground[i] = vec3(0.6f * std::min(1.0f, frame.scene().exposure * luminance));
             if (picture.points()[i])
-                depths[i] = glm::dot(tracer.positionWorld(picture.points()[i].surfacePoint()) - camera.positionWorld,
+                depths[i] = glm::dot(tracer.positionWorld(picture.points()[i]) - camera.positionWorld,
                                      axisWorld);
         }
 

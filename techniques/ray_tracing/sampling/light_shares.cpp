@@ -23,7 +23,6 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
     const ivec2 size = picture.size();
     const trace::SceneTracer& tracer = surfaces.tracer();
     const trace::MovingScene atRest(tracer);
-    const trace::EyeRays rays = tracer.eyeRays(camera, size);
     const Grid<trace::Visibility>& fromCentre = picture.visibility(light_);
     const auto width = static_cast<std::size_t>(size.x);
     if (next_ == 0)
@@ -39,8 +38,7 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
         for (std::size_t x = begin; x < std::min(width, begin + kPiece); ++x) {
             const std::size_t i = y * width + x;
             if (fromCentre[i] < trace::Visibility::shadowed) continue; // turned away, or there is nothing
-            const trace::SurfacePoint point = tracer.eyePointOn(picture.points()[i].primitive, rays, dvec2(x, y) + 0.5);
-            if (!point) continue;
+            const trace::SurfacePoint& point = picture.points()[i];
             const dvec3 toViewerWorld = glm::normalize(camera.positionWorld - tracer.positionWorld(point));
             shares_[i] = static_cast<float>(sampledShare({surfaces, atRest}, point, toViewerWorld, light_, pattern,
                                                          ivec2(static_cast<int>(x), static_cast<int>(y))));
@@ -56,7 +54,6 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
     const ivec2 size = picture.size();
     const Blocks squares{size, kSide};
     const trace::SceneTracer& tracer = surfaces.tracer();
-    const trace::EyeRays rays = tracer.eyeRays(camera, size);
     irradiances_.resize(shares_.size(), 0.0f);
     next_ = trace::parallelUntil(deadline, next_, squares.count(), [&](std::size_t square) {
         const ivec2 corner = squares.corner(square), end = corner + squares.sizeAt(corner);
@@ -68,9 +65,7 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
                 const auto i =
                     static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
                 if (picture.visibility(light_)[i] < trace::Visibility::shadowed) continue; // turned away, or nothing
-                const trace::SurfacePoint point =
-                    tracer.eyePointOn(picture.points()[i].primitive, rays, dvec2(x, y) + 0.5);
-                if (!point) continue;
+                const trace::SurfacePoint& point = picture.points()[i];
                 pixels.push_back(i);
                 points.push_back(point);
                 normalsWorld.push_back(

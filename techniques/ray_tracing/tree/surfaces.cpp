@@ -7,7 +7,6 @@
 
 #include "techniques/foundation/scene/query/shading.h"
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
-#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::ray_tracing {
 
@@ -59,6 +58,14 @@ bool Surfaces::emitsHere(const trace::SurfacePoint& point) const {
 // [anchor: shaded-lights-off]
 vec3 Surfaces::lightsOff(const trace::SurfacePoint& point) const {
     return scene().ambient * materialOf(point).diffuse + emitted(point);
+}
+
+std::array<vec3, 3> Surfaces::cornerNormalsWorld(const trace::SurfacePoint& point) const {
+    const scene::Mesh& mesh = *tracer_->objectOf(point).mesh;
+    const uvec3 corners = mesh.triangles[triangleOf(point)];
+    const mat3 normalWorldFromMesh(normalWorldFromMesh_[objectOf(point)]);
+    return {normalWorldFromMesh * mesh.normalsMesh[corners.x], normalWorldFromMesh * mesh.normalsMesh[corners.y],
+            normalWorldFromMesh * mesh.normalsMesh[corners.z]};
 }
 
 dvec3 Surfaces::geometricNormalWorld(const trace::SurfacePoint& point) const {

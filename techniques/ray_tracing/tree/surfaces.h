@@ -1,6 +1,7 @@
 // What shading and optics need at a hit: the material, normals, reflected light, and whether the surface encloses a solid.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <vector>
 
 #include "techniques/foundation/trace/scene_tracer.h"
@@ -39,6 +40,8 @@ public:
         const Vec normalWorld = glm::normalize(glm::mat<3, 3, Real>(normalWorldFromMesh_[objectOf(point)]) * normalMesh);
         return glm::dot(normalWorld, toViewerWorld) < 0 ? -normalWorld : normalWorld;
     }
+    /// Of a triangle's corners a, b and c: the normals that normalWorld() interpolates, as long as they come out.
+    [[nodiscard]] std::array<vec3, 3> cornerNormalsWorld(const trace::SurfacePoint& point) const;
     /// The triangle's own normal, on the side that the ray came from.
     [[nodiscard]] dvec3 geometricNormalWorld(const trace::SurfacePoint& point) const;
     /// Reflected radiance toward the viewer of an unblocked light; `normalWorld` is normalWorld() there.

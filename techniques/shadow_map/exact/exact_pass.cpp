@@ -5,7 +5,6 @@
 #include "techniques/foundation/gl/debug.h"
 #include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/query/facing.h"
-#include "techniques/foundation/trace/packets/pixel_rays.h"
 
 namespace shadowlab::shadow_map {
 
@@ -174,7 +173,7 @@ const Decisions& ExactPass::decide(Frame& frame, int light, const std::function<
                     undecided.emplace_back(x, y);
         trace::sortByBlock(undecided);
         const std::vector<trace::Visibility> traced =
-            trace::visibilitiesOf(undecided, tracer_, tracer_.eyeRays(view.camera, view.size), view.size, light);
+            rays_.visibilities(undecided, tracer_, view.camera, view.size, light);
         std::vector<std::uint8_t> final = decisions.byMap;
         for (std::size_t i = 0; i < undecided.size(); ++i)
             final[place(undecided[i])] = traced[i] == trace::Visibility::lit ? 255 : 0;

@@ -12,7 +12,7 @@
 #include <functional>
 #include <optional>
 
-#include "techniques/foundation/trace/scene_tracer.h"
+#include "techniques/foundation/trace/packets/pixel_rays.h"
 #include "techniques/frame.h"
 #include "techniques/shadow_map/exact/surface_crossings.h"
 #include "techniques/shadow_map/exact/walk_buffers.h"
@@ -73,6 +73,7 @@ private:
     };
 
     trace::SceneTracer tracer_;
+    trace::PixelRays rays_;
     Topologies topologies_;
     std::pair<std::uint64_t, std::uint64_t> walkedRevisions_{0, 0};
     gl::TableTexture triangles_;

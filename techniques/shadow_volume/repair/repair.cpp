@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "techniques/foundation/trace/packets/pixel_rays.h"
+#include "techniques/foundation/trace/parallel.h"
 
 namespace shadowlab::shadow_volume {
 
@@ -109,18 +109,17 @@ void readBits(const CountedPart& part, int y, std::span<std::uint8_t> bits) {
         bits[x] = (words[x] & part.countMask) != 0 ? 1 : 0;
 }
 
-} // namespace
-
-void markDiffering(const CountedPart& part, PixelMask& marked) {
+/// The rows from `begin` to before `end`.
+void markDifferingRows(const CountedPart& part, int begin, int end, PixelMask& marked) {
     // Three pixels in a column agree when their sum is 0 or 3; so do nine in a square when it is 0 or 9. The sum of each column is
     // computed once, and used by the three squares that it belongs to. Where a square reaches beyond the picture, its middle stands
     // for what is missing. Plain loops over bytes, which compilers turn into vector instructions.
     const auto width = static_cast<std::size_t>(part.size.x);
     std::vector<std::uint8_t> above(width), row(width), below(width), columns(width + 2), differs(width);
-    readBits(part, 0, row);
-    above = row;
+    readBits(part, begin, row);
+    readBits(part, std::max(begin - 1, 0), above);
     const ivec2 lower = part.corner, upper = part.pictureSize - part.corner - part.size; // pixels beyond the part
-    for (int y = 0; y < part.size.y; ++y) {
+    for (int y = begin; y < end; ++y) {
         if (y + 1 < part.size.y)
             readBits(part, y + 1, below);
         else
@@ -146,6 +145,17 @@ void markDiffering(const CountedPart& part, PixelMask& marked) {
     }
 }
 
+} // namespace
+
+void markDiffering(const CountedPart& part, PixelMask& marked) {
+    constexpr int kRows = 64; // for a thread at a time
+    const int bands = (part.size.y + kRows - 1) / kRows;
+    trace::parallelFor(static_cast<std::size_t>(bands), [&](std::size_t band) {
+        const int begin = static_cast<int>(band) * kRows;
+        markDifferingRows(part, begin, std::min(begin + kRows, part.size.y), marked);
+    });
+}
+
 void markEdges(const CountedPart& part, const scene::Mesh& mesh, std::span<const SilhouetteEdge> edges,
                const dmat4& clipFromMesh, PixelMask& marked) {
     const auto clip = [&](std::uint32_t vertex) {
@@ -155,14 +165,14 @@ void markEdges(const CountedPart& part, const scene::Mesh& mesh, std::span<const
         if (const auto segment = projected(clip(edge.a), clip(edge.b), part)) markTouched(part, *segment, marked);
 }
 
-Repair decide(const CountedPart& part, PixelMask& marked, const trace::SceneTracer& tracer, const scene::Camera& camera, int light) {
+Repair decide(const CountedPart& part, PixelMask& marked, const trace::SceneTracer& tracer, const scene::Camera& camera, int light,
+              trace::PixelRays& rays) {
     using enum trace::Visibility;
-    const trace::EyeRays rays = tracer.eyeRays(camera, part.pictureSize);
     Repair repair;
     std::vector<ivec2> pixels = inPicture(part, marked);
     while (!pixels.empty()) {
         const std::vector<trace::Visibility> answers =
-            trace::visibilitiesOf(pixels, tracer, rays, part.pictureSize, light);
+            rays.visibilities(pixels, tracer, camera, part.pictureSize, light);
         std::vector<ivec2> next;
         // [anchor: decide-with-rays]
         for (std::size_t i = 0; i < pixels.size(); ++i) {

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "techniques/foundation/trace/scene_tracer.h"
+#include "techniques/foundation/trace/packets/pixel_rays.h"
 #include "techniques/shadow_volume/count/volume.h"
 
 namespace shadowlab::shadow_volume {
@@ -62,7 +62,8 @@ struct Repair {
 /// come in clusters. A pixel is lit or not as the nearest triangle on its eye ray is; where that faces away from the light,
 /// the bit becomes dark; the picture seldom changes by that, and it does not count as changed. Where the eye ray meets
 /// nothing, the bit stays as it is. The tracer has the scene that was counted. Afterwards all that were looked at are marked.
-Repair decide(const CountedPart& part, PixelMask& marked, const trace::SceneTracer& tracer,
-              const scene::Camera& camera, int light);
+/// `rays` ask, and remember for the next frame what does not depend on lights.
+Repair decide(const CountedPart& part, PixelMask& marked, const trace::SceneTracer& tracer, const scene::Camera& camera, int light,
+              trace::PixelRays& rays);
 
 } // namespace shadowlab::shadow_volume

@@ -41,7 +41,7 @@ const Repair& RepairPass::decided(const Frame& frame, int light, std::span<const
         const scene::Object& object = frame.scene().objects[volume.seen.caster->object];
         markEdges(part_, *object.mesh, volume.seen.caster->silhouette, frame.eye().clipFromMesh(object), marked_);
     }
-    return decided_.emplace(light, decide(part_, marked_, tracer_, frame.view().camera, light)).first->second;
+    return decided_.emplace(light, decide(part_, marked_, tracer_, frame.view().camera, light, rays_)).first->second;
 }
 
 void RepairPass::writeBits(const Frame& frame, const Repair& repair, const StencilRule& stencil) const {

@@ -57,6 +57,7 @@ private:
     void writeBits(const Frame& frame, const Repair& repair, const StencilRule& stencil) const;
 
     trace::SceneTracer tracer_;
+    trace::PixelRays rays_;
     CountedPart part_;              ///< what was read last; its memory, and that of the marks, is used again
     PixelMask marked_;
     std::map<int, Repair> decided_; ///< per light

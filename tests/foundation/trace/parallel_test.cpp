@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cstdlib>
 #include <stdexcept>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "techniques/foundation/base/error.h"
@@ -22,6 +24,43 @@ TEST(ParallelTest, EveryPieceIsDoneOnce) {
             for (const auto& times : done)
                 ASSERT_EQ(times, 1);
         }
+}
+
+// Helpers are kept, by each thread its own: calls from several threads at once, calls within a piece of work, and more calls after
+// that find what they need, whatever number they ask for.
+TEST(ParallelTest, HelpersServeOneCallAfterTheOther) {
+    std::atomic<long> sum = 0;
+    const auto calls = [&] {
+        for (int round = 0; round < 200; ++round)
+            parallelFor(
+                8,
+                [&](std::size_t i) {
+                    if (round % 10 != 0) return void(sum += static_cast<long>(i));
+                    parallelFor(
+                        3, [&](std::size_t) { sum += static_cast<long>(i); }, 2);
+                },
+                1 + round % 4);
+    };
+    {
+        std::vector<std::jthread> callers;
+        for (int i = 0; i < 3; ++i)
+            callers.emplace_back(calls);
+    }
+    constexpr long kPerCall = 28; // 0 + 1 + ... + 7
+    EXPECT_EQ(sum, 3 * (180 * kPerCall + 20 * 3 * kPerCall));
+}
+
+// What is thrown by one call does not stay for the next.
+TEST(ParallelTest, AfterAnExceptionAllIsDoneAgain) {
+    for (int round = 0; round < 50; ++round) {
+        EXPECT_THROW(parallelFor(
+                         20, [](std::size_t) { throw std::runtime_error("each"); }, 3),
+                     std::runtime_error);
+        std::atomic<int> done = 0;
+        parallelFor(
+            20, [&](std::size_t) { ++done; }, 3);
+        ASSERT_EQ(done, 20);
+    }
 }
 
 TEST(ParallelTest, AnExceptionReachesTheCaller) {

@@ -28,24 +28,6 @@ std::vector<Batch> batchesOf(std::span<const ivec2> pixels) {
     return batches;
 }
 
-/// Where the eye rays through the pixels of one batch end. All of a block at once costs about as much as kMany alone.
-void findPoints(std::span<const ivec2> pixels, const SceneTracer& tracer, const EyeRays& rays, ivec2 pictureSize,
-                std::span<SurfacePoint> points) {
-    constexpr std::size_t kMany = 6;
-    if (pixels.size() < kMany) {
-        for (std::size_t i = 0; i < pixels.size(); ++i)
-            points[i] = tracer.eyePoint(rays, dvec2(pixels[i]) + 0.5);
-        return;
-    }
-    const ivec2 corner = kSide * blockOf(pixels[0]), size = glm::min(ivec2(kSide), pictureSize - corner);
-    SurfacePoint all[kSide * kSide];
-    tracer.eyePoints(rays, corner, size, dvec2(0.5), all);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const ivec2 inBlock = pixels[i] - corner;
-        points[i] = all[inBlock.y * size.x + inBlock.x];
-    }
-}
-
 } // namespace
 
 void sortByBlock(std::vector<ivec2>& pixels) {
@@ -53,16 +35,54 @@ void sortByBlock(std::vector<ivec2>& pixels) {
                       [](ivec2 pixel) { return std::tuple(blockOf(pixel).y, blockOf(pixel).x, pixel.y, pixel.x); });
 }
 
-std::vector<Visibility> visibilitiesOf(std::span<const ivec2> pixels, const SceneTracer& tracer, const EyeRays& rays,
-                                       ivec2 pictureSize, int light) {
+void PixelRays::lookAt(const Picture& picture) {
+    // Twelve megabytes. Outlines of a light that goes round pass over most of a picture in the end: then it starts afresh.
+    constexpr std::size_t kMostRemembered = 8192;
+    if (picture == picture_ && remembered_ <= kMostRemembered) return;
+    picture_ = picture;
+    const ivec2 grid = (picture.size + kSide - 1) / kSide;
+    blocks_.clear();
+    blocks_.resize(static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y));
+    remembered_ = 0;
+}
+
+/// Where the eye rays through the pixels of one batch end. All of a block at once costs about as much as kMany alone.
+void PixelRays::findPoints(std::span<const ivec2> pixels, const SceneTracer& tracer, const EyeRays& rays,
+                           std::span<SurfacePoint> points) {
+    constexpr std::size_t kMany = 6;
+    const ivec2 place = blockOf(pixels[0]), corner = kSide * place, size = glm::min(ivec2(kSide), picture_.size - corner);
+    const int blocksInRow = (picture_.size.x + kSide - 1) / kSide;
+    std::unique_ptr<Block>& block = blocks_[static_cast<std::size_t>(place.y * blocksInRow + place.x)];
+    if (!block && pixels.size() < kMany) {
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            points[i] = tracer.eyePoint(rays, dvec2(pixels[i]) + 0.5);
+        return;
+    }
+    if (!block) {
+        block = std::make_unique<Block>();
+        tracer.eyePoints(rays, corner, size, dvec2(0.5), *block);
+    }
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const ivec2 inBlock = pixels[i] - corner;
+        points[i] = (*block)[static_cast<std::size_t>(inBlock.y * size.x + inBlock.x)];
+    }
+}
+
+std::vector<Visibility> PixelRays::visibilities(std::span<const ivec2> pixels, const SceneTracer& tracer,
+                                                const scene::Camera& camera, ivec2 pictureSize, int light) {
+    Picture picture{tracer.scene().revisions, camera, pictureSize};
+    picture.revisions.lights = 0;
+    lookAt(picture);
+    const EyeRays rays = tracer.eyeRays(camera, pictureSize);
     std::vector<Visibility> answers(pixels.size());
-    const std::vector<Batch> batches = batchesOf(pixels);
+    const std::vector<Batch> batches = batchesOf(pixels); // of one block each, so that no two threads find the same points
     parallelFor(batches.size(), [&](std::size_t i) {
         const auto [first, count] = batches[i];
         SurfacePoint points[kSide * kSide];
-        findPoints(pixels.subspan(first, count), tracer, rays, pictureSize, points);
+        findPoints(pixels.subspan(first, count), tracer, rays, points);
         tracer.visibilities(std::span(points).first(count), light, std::span(answers).subspan(first, count));
     });
+    remembered_ = static_cast<std::size_t>(std::ranges::count_if(blocks_, [](const auto& block) { return block != nullptr; }));
     return answers;
 }
 

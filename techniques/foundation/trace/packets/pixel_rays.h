@@ -1,6 +1,8 @@
 // The visibility of a light at scattered pixels; neighbouring ones are traced together.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,8 +13,32 @@ namespace shadowlab::trace {
 /// Puts pixels that share a block (SceneTracer::kBlock) next to each other.
 void sortByBlock(std::vector<ivec2>& pixels);
 
-/// One answer for each pixel (counted from the upper left), through its centre. `pixels` are sorted by block.
-std::vector<Visibility> visibilitiesOf(std::span<const ivec2> pixels, const SceneTracer& tracer, const EyeRays& rays,
-                                       ivec2 pictureSize, int light);
+/// Asks for one picture after another, and remembers where eye rays have ended. While only lights change, outlines of shadows move a
+/// few pixels from frame to frame: most pixels then lie in blocks that were asked for before.
+class PixelRays {
+public:
+    /// One answer for each pixel (counted from the upper left), through its centre. `pixels` are sorted by block.
+    std::vector<Visibility> visibilities(std::span<const ivec2> pixels, const SceneTracer& tracer, const scene::Camera& camera,
+                                         ivec2 pictureSize, int light);
+    /// How many blocks it remembers.
+    [[nodiscard]] std::size_t remembered() const { return remembered_; }
+
+private:
+    using Block = std::array<SurfacePoint, SceneTracer::kBlock * SceneTracer::kBlock>;
+    /// What eye rays depend on.
+    struct Picture {
+        scene::Revisions revisions; ///< that of the lights left out
+        scene::Camera camera;
+        ivec2 size{0};
+        friend bool operator==(const Picture&, const Picture&) = default;
+    };
+
+    void lookAt(const Picture& picture);
+    void findPoints(std::span<const ivec2> pixels, const SceneTracer& tracer, const EyeRays& rays, std::span<SurfacePoint> points);
+
+    Picture picture_;
+    std::vector<std::unique_ptr<Block>> blocks_; ///< of the picture, row by row; none: not remembered
+    std::size_t remembered_ = 0;
+};
 
 } // namespace shadowlab::trace
