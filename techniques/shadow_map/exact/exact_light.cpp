@@ -26,6 +26,9 @@ std::vector<std::size_t> ExactLight::drawnCasters(const scene::Scene& scene, int
 
 LightShadowMap ExactLight::updateMap(Frame& frame, int light) {
     const LightMaps& maps = tools_.fitter.fitted(light);
+    // Also where no layer is drawn: lights share one map where maps of their own would be too large, and of two lights in one place the
+    // second finds it as it needs it.
+    if (maps.layers() > 0) pass_.findEdges(frame.scene(), light, maps, drawnCasters(frame.scene(), light));
     return tools_.drawer.updateMap(frame, light,
                                    [&](int layer, std::span<const std::size_t> casters, CachedMap& cached) {
                                        drawLayer(frame, light, maps, layer, casters, cached.depth, *cached.exact);
@@ -54,7 +57,6 @@ void ExactLight::drawLayer(const Frame& frame, int light, const LightMaps& maps,
                            std::span<const std::size_t> casters, const gl::DepthTextureArray& depth,
                            const ExactTextures& textures) {
     tools_.drawer.depthPass().drawWithIds(frame, maps, layer, casters, depth, textures.triangles, {});
-    pass_.findEdges(frame.scene(), light, maps, drawnCasters(frame.scene(), light));
     pass_.drawEdges(frame, maps, light, layer, casters, textures.edges);
 }
 

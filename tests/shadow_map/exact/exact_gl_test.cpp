@@ -133,6 +133,18 @@ TEST_F(ExactMapTest, WhatIsSeenButCastsNoShadowAndWhatReceivesNone) {
     expectExact(both, "no caster, no receiver");
 }
 
+// Where maps of all lights would be too large, lights share one. Of two in one place the second finds it as it needs it, and does not
+// draw it again: what else it asks of its edges has to be found all the same.
+TEST_F(ExactMapTest, LightsInOnePlaceThatShareAMap) {
+    scene::Scene scene = testing::simpleScene();
+    scene.lights.assign(5, scene.lights[0]); // 5 maps of 4096 x 4096: beyond what is kept for each
+    const TruthComparison last =
+        compareWithTruth(testing::snapshot(scene), "shadow-map-exact", {"resolution=4096"}, kSize, 4, testing::kTiePx);
+    EXPECT_GT(last.lit, 5'000);
+    EXPECT_GT(last.shadowed, 500);
+    EXPECT_EQ(last.wrong(), 0) << last;
+}
+
 TEST_F(ExactMapTest, FarFromTheOrigin) {
     Both both;
     compare(testing::moved(testing::simpleScene(), dvec3(1e6, -1e6, 1e6)), {"resolution=512"}, both, {320, 240});
