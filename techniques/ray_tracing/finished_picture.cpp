@@ -62,10 +62,8 @@ private:
         }
     }
     void addBackground(std::size_t begin, std::size_t end, PixelLanes& pixels) const {
-        for (std::size_t i = begin; i < end; ++i) {
-            put(pixels.radiance, i, surfaces_.scene().background);
-            put(pixels.specular, i, vec3(0));
-        }
+        for (std::size_t i = begin; i < end; ++i)
+            put(pixels.radiance, i, surfaces_.scene().background); // no light reaches it, and so nothing else is asked of it
     }
 
     const Surfaces& surfaces_;

@@ -101,9 +101,7 @@ private:
 
     /// What eye rays depend on: while it is equal, only the lights can have changed, and where those rays end is kept.
     struct EyeRaysKey {
-        scene::Revisions revisions; ///< that of the lights left out
-        scene::Camera camera;
-        ivec2 size{0};
+        trace::SeenFrom seen;
         RayTracedParams params;
         StructureParams structureParams;
         friend bool operator==(const EyeRaysKey&, const EyeRaysKey&) = default;
@@ -117,8 +115,7 @@ private:
         isFinished_ = false;
         if (goesOn) return;
         pictureKey_ = std::move(key);
-        EyeRaysKey eyeRays{frame.scene().revisions, view.camera, view.size, params_, structureParams_};
-        eyeRays.revisions.lights = 0;
+        const EyeRaysKey eyeRays{{frame.scene(), view.camera, view.size}, params_, structureParams_};
         if (eyeRays == eyeRaysKey_)
             picture_.restartLights(scene_.tracer());
         else

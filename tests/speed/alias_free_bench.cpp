@@ -22,6 +22,7 @@
 #include "techniques/shadow_map/irregular/alias_free.h"
 #include "tests/support/scenes.h"
 #include "tests/support/trefoil.h"
+#include "tests/speed/median.h"
 
 namespace shadowlab {
 namespace {
@@ -38,11 +39,6 @@ double milliseconds(const auto& run) {
     const auto start = std::chrono::steady_clock::now();
     run();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-    return values[values.size() / 2];
 }
 
 scene::Mesh knot(std::uint32_t around) {

@@ -8,7 +8,6 @@
 // each other. The pictures must be equal byte by byte, but for those of maps, which are fitted to the casters there are; exits
 // with 1 where they are not, or the ratio is above 2.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
@@ -22,6 +21,7 @@
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "tests/speed/crowded_scene.h"
+#include "tests/speed/median.h"
 
 namespace shadowlab {
 namespace {
@@ -29,11 +29,6 @@ namespace {
 constexpr ivec2 kSize{640, 360};
 constexpr int kRounds = 11, kWarming = 2;
 constexpr double kMostTimes = 2.0;
-
-double median(std::vector<double> values) {
-    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-    return values[values.size() / 2];
-}
 
 /// One of the two scenes, drawn by one technique.
 struct Entry {

@@ -25,17 +25,13 @@
 #include "app/picture/session.h"
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/scene/load/load.h"
+#include "tests/speed/median.h"
 
 namespace shadowlab {
 namespace {
 
 constexpr ivec2 kSize{1280, 720};
 constexpr int kRounds = 9, kFrames = 12, kWarming = 4, kMapSide = 2048;
-
-double median(std::vector<double> values) {
-    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-    return values[values.size() / 2];
-}
 
 GLuint compiled(GLenum kind, const std::string& body) {
     const GLuint shader = glCreateShader(kind);

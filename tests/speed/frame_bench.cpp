@@ -9,7 +9,6 @@
 // unless another is named first, and the median ratio to the second's in the same turn. `measure` prints times as well, but
 // judges each frame in between, and so draws it with cold caches.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -22,17 +21,13 @@
 #include "app/picture/session.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/load/load.h"
+#include "tests/speed/median.h"
 
 namespace shadowlab {
 namespace {
 
 constexpr ivec2 kSize{1280, 720};
 constexpr int kRounds = 21, kFrames = 12, kWarming = 4;
-
-double median(std::vector<double> values) {
-    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-    return values[values.size() / 2];
-}
 
 struct Entry {
     std::string name; ///< as it was given

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/speed/cornell_room.h"
+#include "tests/speed/median.h"
 
 namespace shadowlab::radiosity {
 
@@ -14,11 +15,6 @@ double clockMs(const auto& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-inline double median(std::vector<double> values) {
-    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-    return values[values.size() / 2];
 }
 
 /// The parts of the bench. Each prints a table, and draws its charts into a folder unless that is empty.

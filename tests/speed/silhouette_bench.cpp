@@ -26,6 +26,7 @@
 #include "techniques/foundation/scene/query/facing_planes.h"
 #include "techniques/shadow_volume/count/volume.h"
 #include "tests/speed/growth_plot.h"
+#include "tests/speed/median.h"
 #include "tests/support/trefoil.h"
 
 namespace shadowlab {
@@ -112,11 +113,6 @@ double milliseconds(const std::function<void()>& run) {
     const auto start = std::chrono::steady_clock::now();
     run();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double>& times) {
-    std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
-    return times[times.size() / 2];
 }
 
 constexpr int kRuns = 31;

@@ -34,6 +34,7 @@
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "tests/speed/line_plot.h"
+#include "tests/speed/median.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab {
@@ -57,11 +58,6 @@ double processorMs(const auto& work) {
     const std::clock_t start = std::clock();
     work();
     return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / threadCount();
-}
-
-double median(std::vector<double> values) {
-    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-    return values[values.size() / 2];
 }
 
 /// 64 balls of small triangles, together so many.

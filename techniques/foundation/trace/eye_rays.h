@@ -3,11 +3,24 @@
 #pragma once
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/scene/model/camera.h"
+#include "techniques/foundation/scene/model/scene.h"
 #include "techniques/foundation/trace/packets/block_rays.h"
 #include "techniques/foundation/trace/ray.h"
 
 namespace shadowlab::trace {
+
+/// What the ends of eye rays depend on: all of a scene but its lights, where it is seen from, and the picture's size.
+struct SeenFrom {
+    SeenFrom() = default;
+    SeenFrom(const scene::Scene& scene, const scene::Camera& seenBy, ivec2 pictureSize)
+        : revisions(scene.revisions), camera(seenBy), size(pictureSize) {
+        revisions.lights = 0;
+    }
+    scene::Revisions revisions; ///< that of the lights left out
+    scene::Camera camera;
+    ivec2 size{0};
+    friend bool operator==(const SeenFrom&, const SeenFrom&) = default;
+};
 
 /// The same rays as scene::rayDirectionWorld, with what all of them share computed once. Their t is the depth along the
 /// camera's axis, so the near plane is one number for all.

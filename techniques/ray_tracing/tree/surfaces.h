@@ -29,17 +29,7 @@ public:
     /// Radiance toward the viewer with all lights off.
     [[nodiscard]] vec3 lightsOff(const trace::SurfacePoint& point) const;
     /// The shading normal: interpolated between the vertices, turned to the viewer's side.
-    template <typename Real>
-    [[nodiscard]] glm::vec<3, Real> normalWorld(const trace::SurfacePoint& point, const glm::vec<3, Real>& toViewerWorld) const {
-        using Vec = glm::vec<3, Real>;
-        const scene::Mesh& mesh = *tracer_->objectOf(point).mesh;
-        const uvec3 corners = mesh.triangles[triangleOf(point)];
-        const Vec weights(point.barycentric());
-        const Vec normalMesh = weights.x * Vec(mesh.normalsMesh[corners.x]) + weights.y * Vec(mesh.normalsMesh[corners.y]) +
-                               weights.z * Vec(mesh.normalsMesh[corners.z]);
-        const Vec normalWorld = glm::normalize(glm::mat<3, 3, Real>(normalWorldFromMesh_[objectOf(point)]) * normalMesh);
-        return glm::dot(normalWorld, toViewerWorld) < 0 ? -normalWorld : normalWorld;
-    }
+    [[nodiscard]] dvec3 normalWorld(const trace::SurfacePoint& point, const dvec3& toViewerWorld) const;
     /// Of a triangle's corners a, b and c: the normals that normalWorld() interpolates, as long as they come out.
     [[nodiscard]] std::array<vec3, 3> cornerNormalsWorld(const trace::SurfacePoint& point) const;
     /// The triangle's own normal, on the side that the ray came from.

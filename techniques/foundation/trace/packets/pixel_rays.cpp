@@ -35,15 +35,18 @@ void sortByBlock(std::vector<ivec2>& pixels) {
                       [](ivec2 pixel) { return std::tuple(blockOf(pixel).y, blockOf(pixel).x, pixel.y, pixel.x); });
 }
 
-void PixelRays::lookAt(const Picture& picture) {
+std::size_t PixelRays::remembered() const {
+    return static_cast<std::size_t>(std::ranges::count_if(blocks_, [](const auto& block) { return block != nullptr; }));
+}
+
+void PixelRays::lookAt(const SeenFrom& picture) {
     // Twelve megabytes. Outlines of a light that goes round pass over most of a picture in the end: then it starts afresh.
     constexpr std::size_t kMostRemembered = 8192;
-    if (picture == picture_ && remembered_ <= kMostRemembered) return;
+    if (picture == picture_ && remembered() <= kMostRemembered) return;
     picture_ = picture;
     const ivec2 grid = (picture.size + kSide - 1) / kSide;
     blocks_.clear();
     blocks_.resize(static_cast<std::size_t>(grid.x) * static_cast<std::size_t>(grid.y));
-    remembered_ = 0;
 }
 
 /// Where the eye rays through the pixels of one batch end. All of a block at once costs about as much as kMany alone.
@@ -70,9 +73,7 @@ void PixelRays::findPoints(std::span<const ivec2> pixels, const SceneTracer& tra
 
 std::vector<Visibility> PixelRays::visibilities(std::span<const ivec2> pixels, const SceneTracer& tracer,
                                                 const scene::Camera& camera, ivec2 pictureSize, int light) {
-    Picture picture{tracer.scene().revisions, camera, pictureSize};
-    picture.revisions.lights = 0;
-    lookAt(picture);
+    lookAt({tracer.scene(), camera, pictureSize});
     const EyeRays rays = tracer.eyeRays(camera, pictureSize);
     std::vector<Visibility> answers(pixels.size());
     const std::vector<Batch> batches = batchesOf(pixels); // of one block each, so that no two threads find the same points
@@ -82,7 +83,6 @@ std::vector<Visibility> PixelRays::visibilities(std::span<const ivec2> pixels, c
         findPoints(pixels.subspan(first, count), tracer, rays, points);
         tracer.visibilities(std::span(points).first(count), light, std::span(answers).subspan(first, count));
     });
-    remembered_ = static_cast<std::size_t>(std::ranges::count_if(blocks_, [](const auto& block) { return block != nullptr; }));
     return answers;
 }
 

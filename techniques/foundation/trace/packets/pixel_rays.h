@@ -21,24 +21,15 @@ public:
     std::vector<Visibility> visibilities(std::span<const ivec2> pixels, const SceneTracer& tracer, const scene::Camera& camera,
                                          ivec2 pictureSize, int light);
     /// How many blocks it remembers.
-    [[nodiscard]] std::size_t remembered() const { return remembered_; }
+    [[nodiscard]] std::size_t remembered() const;
 
 private:
     using Block = std::array<SurfacePoint, SceneTracer::kBlock * SceneTracer::kBlock>;
-    /// What eye rays depend on.
-    struct Picture {
-        scene::Revisions revisions; ///< that of the lights left out
-        scene::Camera camera;
-        ivec2 size{0};
-        friend bool operator==(const Picture&, const Picture&) = default;
-    };
-
-    void lookAt(const Picture& picture);
+    void lookAt(const SeenFrom& picture);
     void findPoints(std::span<const ivec2> pixels, const SceneTracer& tracer, const EyeRays& rays, std::span<SurfacePoint> points);
 
-    Picture picture_;
+    SeenFrom picture_;
     std::vector<std::unique_ptr<Block>> blocks_; ///< of the picture, row by row; none: not remembered
-    std::size_t remembered_ = 0;
 };
 
 } // namespace shadowlab::trace
