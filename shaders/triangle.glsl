@@ -3,12 +3,21 @@
 // that vertex. gl_PrimitiveID would give the same number, but a software renderer then splits meshes into single triangles,
 // which took twice as long for large meshes.
 layout(location = 4) in int triangleOfMesh; // gl::kTriangleOfMesh
-uniform int triangleBase;                   // scene-wide index of the object's first triangle
-uniform isamplerBuffer lightFacing;         // signs decided in double (techniques/foundation/scene/query/facing.h)
+uniform int triangleBase; // scene-wide index of the object's first triangle
 flat out int triangleOfScene;
+#ifdef LIGHTS
+uniform usamplerBuffer lightsFacing; // the same of all lights: a bit for each on the side of the front, and of the back
+flat out uvec2 lightsAtSides;
+#else
+uniform isamplerBuffer lightFacing; // signs decided in double (techniques/foundation/scene/query/facing.h)
 flat out int lightSide;
+#endif
 
 void passTriangle() {
     triangleOfScene = triangleBase + triangleOfMesh;
+#ifdef LIGHTS
+    lightsAtSides = texelFetch(lightsFacing, triangleOfScene).rg;
+#else
     lightSide = texelFetch(lightFacing, triangleOfScene).r;
+#endif
 }

@@ -19,14 +19,20 @@ Frame::Frame(const scene::Snapshot& snapshot, const View& view, const gl::SceneB
     eye_.part = scene::picturePart(view.region.corner, view.region.size, view.size);
 }
 
-bool Frame::drawFinished(bool ofAnyScene) {
-    // Stages and steps are made of radiance, and so is a sum over several lights; a hole is cut where depth is written, which the
-    // shader of finished pixels does not do.
-    const bool isSimple = scene().lights.size() == 1 && !buffers_.anyHoles();
-    if (!request_.finished || !request_.stages.empty() || request_.stopAfter || !(isSimple || ofAnyScene)) return false;
+bool Frame::drawFinished(FinishedScenes able) {
+    // Stages and steps are made of radiance; a hole is cut where depth is written, which the shader of finished pixels does not do.
+    const std::size_t lights = scene().lights.size();
+    const std::size_t most = able == FinishedScenes::withOneLight ? 1 : gl::kMostLightsAtOnce;
+    const bool isAble = able == FinishedScenes::any || (lights >= 1 && lights <= most && !buffers_.anyHoles());
+    if (!request_.finished || !request_.stages.empty() || request_.stopAfter || !isAble) return false;
     makeFinished(request_.finished->color);
     finished_ = gl::Framebuffer(&request_.finished->color, &target_.depthStencil, "finished picture");
     return result_.isFinished = true;
+}
+
+void Frame::bindFinished() const {
+    finished_.bind();
+    scissorTo(std::nullopt);
 }
 
 void Frame::bindInShadowToo() {
@@ -34,6 +40,12 @@ void Frame::bindInShadowToo() {
     finishedAndInShadow_ = gl::Framebuffer(request_.finished->color, request_.finished->inShadow, target_.depthStencil,
                                            "finished picture, and in shadow");
     finishedAndInShadow_.bind();
+}
+
+void Frame::bindHiddenLights() {
+    makeFinished(request_.finished->inShadow);
+    hiddenLights_ = gl::Framebuffer(&request_.finished->inShadow, &target_.depthStencil, "hidden lights");
+    hiddenLights_.bind();
 }
 
 /// Keeps the texture of the last frame where it has the size.
@@ -73,25 +85,27 @@ void Frame::pass(const PassInfo& info, const std::function<void()>& draw, int li
     stopped_ = request_.stopAfter == key;
 }
 
+Region Frame::pixelsOf(const std::optional<scene::PicturePart>& part) const {
+    const auto [corner, size] = drawnRegion(view_);
+    if (!part) return {corner, size};
+    // In pixels from the upper left. The rasteriser rounds: one pixel more on each side.
+    const auto pixels = [&](const dvec2& ndc) {
+        return (0.5 + dvec2(0.5, -0.5) * glm::clamp(ndc, -1.0, 1.0)) * dvec2(view_.size);
+    };
+    const dvec2 upperLeft = pixels({part->lower.x, part->upper.y}), lowerRight = pixels({part->upper.x, part->lower.y});
+    const ivec2 first = glm::max(corner, ivec2(glm::floor(upperLeft)) - 1);
+    const ivec2 last = glm::min(corner + size, ivec2(glm::ceil(lowerRight)) + 1);
+    return {first, glm::max(last - first, ivec2(0))};
+}
+
 void Frame::scissorTo(const std::optional<scene::PicturePart>& part) const {
-    const Region& region = view_.region;
-    const bool all = region.size.x <= 0 || region.size.y <= 0;
-    // In pixels, GL counts rows from below.
-    ivec2 lower = all ? ivec2(0) : ivec2(region.corner.x, view_.size.y - region.corner.y - region.size.y);
-    ivec2 upper = lower + (all ? view_.size : region.size);
-    if (part) {
-        const auto pixels = [&](const dvec2& ndc) {
-            return (0.5 + 0.5 * glm::clamp(ndc, -1.0, 1.0)) * dvec2(view_.size);
-        };
-        // The rasteriser rounds: one pixel more on each side.
-        lower = glm::max(lower, ivec2(glm::floor(pixels(part->lower))) - 1);
-        upper = glm::min(upper, ivec2(glm::ceil(pixels(part->upper))) + 1);
-    } else if (all) {
+    if (!part && drawnRegion(view_).size == view_.size) {
         glDisable(GL_SCISSOR_TEST);
         return;
     }
+    const auto [corner, size] = pixelsOf(part);
     glEnable(GL_SCISSOR_TEST);
-    glScissor(lower.x, lower.y, std::max(upper.x - lower.x, 0), std::max(upper.y - lower.y, 0));
+    glScissor(corner.x, view_.size.y - corner.y - size.y, size.x, size.y); // GL counts rows from below
 }
 
 bool Frame::wants(std::string_view stage, int light) const {

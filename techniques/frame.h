@@ -55,6 +55,9 @@ struct FrameRequest {
     gl::FinishedPicture* finished = nullptr;
 };
 
+/// Of which scenes a technique is able to draw finished pixels. Its shader does not cut holes, unless it is `any`.
+enum class FinishedScenes { withOneLight, withLights, any };
+
 class Frame {
 public:
     Frame(const scene::Snapshot& snapshot, const View& view, const gl::SceneBuffers& buffers, const gl::Target& target,
@@ -74,21 +77,26 @@ public:
     /// Within a pass: draws only in that part of the picture from here on, and at most in the view's region; none: in all of
     /// that.
     void scissorTo(const std::optional<scene::PicturePart>& part) const;
+    /// The pixels that scissorTo(part) draws in.
+    [[nodiscard]] Region pixelsOf(const std::optional<scene::PicturePart>& part) const;
     /// From here on drawSurfaces with eye() draws what is out of view as well: for a technique told to leave nothing out.
     void drawWhatIsOutOfView();
     [[nodiscard]] const gl::EyeMatrices& eye() const { return eye_; }
     [[nodiscard]] const gl::SceneBuffers& buffers() const { return buffers_; }
     [[nodiscard]] const gl::Target& target() const { return target_; }
     /// For a technique that is able to draw finished pixels, before its first pass: true if that is all that is wanted. The passes
-    /// then draw to request.finished instead of target().color; depth and stencil stay target()'s. `ofAnyScene`: also of several
-    /// lights, and of surfaces with holes, which the shader of finished pixels does not draw.
-    bool drawFinished(bool ofAnyScene = false);
+    /// then draw to request.finished instead of target().color; depth and stencil stay target()'s.
+    bool drawFinished(FinishedScenes able = FinishedScenes::withOneLight);
     [[nodiscard]] bool drawsFinished() const { return result_.isFinished; }
-    /// Within a pass of a frame that draws finished pixels: both pictures are drawn to, the one in shadow as well.
+    /// Within a pass of a frame that draws finished pixels: that picture is drawn to, all that is wanted of it.
+    void bindFinished() const;
+    /// The same: both pictures are drawn to, the one in shadow as well.
     void bindInShadowToo();
+    /// The same of several lights: in the place of the picture in shadow a bit for each light is drawn to, where it is hidden.
+    void bindHiddenLights();
     /// Where finished pixels go; for a technique that computes them on the processor.
     [[nodiscard]] const gl::Texture2D& finishedPicture() const { return request_.finished->color; }
-    /// The finished picture in which the light is hidden everywhere.
+    /// The finished picture in which the light is hidden everywhere; of several lights, the bits of those that are hidden.
     [[nodiscard]] const gl::Texture2D& inShadow() const { return request_.finished->inShadow; }
     [[nodiscard]] Deadline deadline() const { return request_.deadline; }
     [[nodiscard]] bool refines() const { return request_.refine; }
@@ -142,7 +150,7 @@ private:
     const gl::SceneBuffers& buffers_;
     const gl::Target& target_;
     FrameRequest request_;
-    gl::Framebuffer finished_, finishedAndInShadow_; ///< of request_.finished, with the target's depth and stencil
+    gl::Framebuffer finished_, finishedAndInShadow_, hiddenLights_; ///< of request_.finished, with the target's depth and stencil
     gl::PassTimer timer_;
     Result result_;
     bool stopped_ = false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shading_passes.h"
 
+#include "techniques/foundation/gl/baseline.h"
+
 namespace shadowlab {
 
 namespace {
@@ -36,25 +38,56 @@ gl::ShadedAs ShadingPasses::beginLight(const Frame& frame) const {
     return gl::ShadedAs::finished;
 }
 
-void StencilledPasses::lightsOff(Frame& frame, int light) {
+void StencilledPasses::lightsOff(Frame& frame) {
+    const scene::Scene& scene = frame.scene();
     if (!frame.drawsFinished()) {
-        gl::drawLightsOff(lightsOff_, frame.scene(), frame.buffers(), frame.eye());
+        gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye());
         return;
     }
-    frame.bindInShadowToo();
-    clearFinished(frame.scene());
-    gl::useForLight(light_, frame.scene(), frame.buffers(), frame.eye(), light, gl::ShadedAs::finishedAndInShadow);
-    gl::drawSurfaces(light_, frame.scene(), frame.buffers(), frame.eye());
+    if (scene.lights.size() == 1) {
+        frame.bindInShadowToo();
+        clearFinished(scene);
+        gl::useForLight(light_, scene, frame.buffers(), frame.eye(), 0, gl::ShadedAs::finishedAndInShadow);
+        gl::drawSurfaces(light_, scene, frame.buffers(), frame.eye());
+        return;
+    }
+    clearFinished(scene);
+    frame.bindHiddenLights();
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    frame.target().withoutColor.bind();
+    gl::drawSurfaceDepth(depths_, scene, frame.buffers(), frame.eye());
 }
 
-void StencilledPasses::takeInShadow(const Frame& frame, GLuint stencilMask) const {
+void StencilledPasses::hide(Frame& frame, int light, const std::optional<scene::PicturePart>& part, GLuint stencilMask) const {
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_NOTEQUAL, 0, stencilMask);
-    inShadow_.use();
-    inShadow_.set("inShadow", 0);
-    frame.inShadow().bind(0);
+    if (frame.scene().lights.size() == 1) {
+        inShadow_.use();
+        inShadow_.set("inShadow", 0);
+        frame.inShadow().bind(0);
+    } else {
+        frame.bindHiddenLights();
+        glEnable(GL_BLEND); // bits of eight lights add up to a byte
+        glBlendFunc(GL_ONE, GL_ONE);
+        vec4 bit(0);
+        bit[light / 8] = static_cast<float>(1 << light % 8) / 255.0f;
+        hide_.use();
+        hide_.set("bit", bit);
+    }
+    frame.scissorTo(part);
     gl::drawFullscreenTriangle();
+}
+
+void StencilledPasses::shadeFinished(Frame& frame) const {
+    if (frame.scene().lights.size() == 1) return;
+    gl::setBaselineState();
+    frame.bindFinished();
+    glClear(GL_STENCIL_BUFFER_BIT);
+    gl::setVisibilityState();
+    gl::useForAllLights(allLights_, frame.scene(), frame.buffers(), frame.eye(), &frame.inShadow());
+    gl::drawSurfaces(allLights_, frame.scene(), frame.buffers(), frame.eye());
 }
 
 } // namespace shadowlab

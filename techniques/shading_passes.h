@@ -1,7 +1,7 @@
 // The first and the last pass of every technique that draws with the rasteriser: the scene with its lights off, and a light.
 //
-// There are two roads to the same picture. Where stages, steps, several lights or supersampling are wanted, both passes draw radiance
-// in floats: lights off, then each light added. That is how the lecture tells it. Where one light and a picture to look at is all that
+// There are two roads to the same picture. Where stages, steps or supersampling are wanted, both passes draw radiance
+// in floats: lights off, then each light added. That is how the lecture tells it. Where a picture to look at is all that
 // is wanted (Frame::drawFinished), pixels are drawn as they are shown, and no surface is shaded twice; on two processor cores that
 // takes about half as long. Both roads give the same picture, up to one level of 255: floats of 16 bits round a sum that the other
 // road encodes unrounded.
@@ -29,13 +29,18 @@ private:
     Depths drawn_ = Depths::first;
 };
 
-/// For a technique that decides with the stencil, after the surfaces are drawn.
+/// For a technique that decides with the stencil, after the surfaces are drawn. Finished pixels of one light are drawn twice, lit and
+/// in shadow, and chosen from in the end; of several, the lights that are hidden are noted one by one, and then all are shaded at once.
 class StencilledPasses {
 public:
-    /// Of the pass "lights-off". Finished pixels: draws each surface lit by `light`, and as it is where that is hidden.
-    void lightsOff(Frame& frame, int light);
-    /// Of the pass "light", for finished pixels: takes the picture in shadow where the stencil, masked, is not zero.
-    void takeInShadow(const Frame& frame, GLuint stencilMask) const;
+    /// Of the pass "lights-off". Finished pixels: draws each surface lit by the one light, and as it is where that is hidden; or, of
+    /// several lights, depths alone.
+    void lightsOff(Frame& frame);
+    /// Of the pass "light", for finished pixels: the light is hidden where the stencil, masked, is not zero; and nowhere outside of
+    /// `part`, if that is given.
+    void hide(Frame& frame, int light, const std::optional<scene::PicturePart>& part, GLuint stencilMask) const;
+    /// After the last light, in its pass "light": shades with all that are not hidden, if there are several.
+    void shadeFinished(Frame& frame) const;
     /// The program that adds a light to radiance.
     [[nodiscard]] const gl::Program& light() const { return light_; }
 
@@ -43,6 +48,9 @@ private:
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program light_{"surface.vert", "shade_light.frag"};
     gl::Program inShadow_{"fullscreen.vert", "in_shadow.frag"};
+    gl::Program depths_{"position.vert", "nothing.frag"};
+    gl::Program hide_{"fullscreen.vert", "hide_light.frag"};
+    gl::Program allLights_{"surface.vert", "shade_lights.frag"};
 };
 
 } // namespace shadowlab

@@ -208,7 +208,6 @@ void Planar::clearBits(unsigned bits) {
 // [anchor: light-unmarked]
 void Planar::drawLit(const Frame& frame, const gl::Program& program, int light) const {
     glStencilMask(kLitBit);
-    glStencilFunc(GL_EQUAL, 0, params_.once ? kLitBit | kMarkBit : kLitBit);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
     gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
     if (const auto counted = counted_.find(light); counted != counted_.end()) {
@@ -216,7 +215,11 @@ void Planar::drawLit(const Frame& frame, const gl::Program& program, int light) 
         program.set("shadowsOfPoints", gl::kFirstFreeUnit);
         program.set("lightPoints", static_cast<float>(counted->second.drawn));
     }
-    gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye());
+    gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
+        // What receives no shadow ignores marks, which without the stencil's numbers may fall on anything.
+        glStencilFunc(GL_EQUAL, 0, params_.once && object.receivesShadow ? kLitBit | kMarkBit : kLitBit);
+        return true;
+    });
 }
 
 // [anchor: darken]

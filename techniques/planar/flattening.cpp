@@ -130,10 +130,6 @@ void addCasters(LitPlane& plane, const FlattenedScene& all) {
 
 } // namespace
 
-scene::PicturePart around(const scene::PicturePart& a, const scene::PicturePart& b) {
-    return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)};
-}
-
 std::vector<LitPlane> litPlanes(const scene::Scene& scene, const std::vector<ChosenReceiver>& receivers,
                                 const Casters& casters, const gl::EyeMatrices& eye, const dvec4& lightWorld,
                                 const PlanarParams& params, bool countTurnedAway) {

@@ -41,7 +41,5 @@ std::vector<LitPlane> litPlanes(const scene::Scene& scene, const std::vector<Cho
 /// An empty rectangle.
 inline constexpr scene::PicturePart kNowhere{dvec2(1.0), dvec2(-1.0)};
 
-/// The smallest part that holds both.
-scene::PicturePart around(const scene::PicturePart& a, const scene::PicturePart& b);
 
 } // namespace shadowlab::planar

@@ -25,9 +25,8 @@ Progress Planar::render(Frame& frame) {
 
     // Shares of light and darkening twice are sums of radiance.
     if (params_.once && std::ranges::none_of(scene.lights, [&](const scene::Light& light) { return isSampled(light); }))
-        frame.drawFinished();
-    constexpr int kOnlyLight = 0; // finished pixels are drawn of one light
-    frame.pass(passInfo(kPasses, "lights-off"), [&] { passes_.lightsOff(frame, kOnlyLight); });
+        frame.drawFinished(FinishedScenes::withLights);
+    frame.pass(passInfo(kPasses, "lights-off"), [&] { passes_.lightsOff(frame); });
     if (frame.wants("lights-off")) frame.publishTarget("lights-off");
     frame.pass(passInfo(kPasses, "tag-receivers"), [&] {
         findHidden(frame);
@@ -72,8 +71,12 @@ Progress Planar::render(Frame& frame) {
         frame.pass(
             passInfo(kPasses, "light"),
             [&] {
+                if (frame.drawsFinished()) {
+                    if (isNeeded) passes_.hide(frame, light, std::nullopt, kMarkBit);
+                    if (light == lights - 1) passes_.shadeFinished(frame);
+                    return;
+                }
                 if (!isNeeded) return;
-                if (frame.drawsFinished()) return passes_.takeInShadow(frame, kMarkBit);
                 gl::setAddLightState();
                 drawLit(frame, sampled ? shadeCounted_ : passes_.light(), light);
             },

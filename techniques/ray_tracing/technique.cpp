@@ -47,7 +47,7 @@ public:
 
     Progress render(Frame& frame) override {
         restartIfChanged(frame);
-        frame.drawFinished(true);
+        frame.drawFinished(FinishedScenes::any);
         // Tracing draws nothing: a frame that stops after it is empty.
         gl::setBaselineState();
         frame.target().framebuffer.bind();

@@ -19,6 +19,8 @@ namespace {
 // save.
 constexpr std::size_t kMostReceivers = 64;
 
+constexpr scene::PicturePart kNowhere{dvec2(1e300), dvec2(-1e300)};
+
 } // namespace
 
 Progress VolumeTechnique::prepare(const scene::Snapshot& snapshot, Deadline deadline) {
@@ -33,9 +35,8 @@ Progress VolumeTechnique::render(Frame& frame) {
     if (usesNearPlaneOfView()) frame.useNearPlaneOfView();
     if (failRule().farPlane) frame.useFarPlane();
     if (!params_.cull) frame.drawWhatIsOutOfView();
-    frame.drawFinished();
-    constexpr int kOnlyLight = 0; // finished pixels are drawn of one light
-    frame.pass(passInfo(counting_.passes, "lights-off"), [&] { passes_.lightsOff(frame, kOnlyLight); });
+    frame.drawFinished(FinishedScenes::withLights);
+    frame.pass(passInfo(counting_.passes, "lights-off"), [&] { passes_.lightsOff(frame); });
     if (frame.wants("lights-off")) frame.publishTarget("lights-off");
 
     frame.count("volumes-rebuilt", static_cast<double>(casters_.takeRebuilt()), static_cast<double>(casters_.count()));
@@ -46,8 +47,7 @@ Progress VolumeTechnique::render(Frame& frame) {
         if (isNeeded) {
             chooseVolumes(frame, light);
         } else {
-            drawn_.clear();
-            startCount_ = 0;
+            chosen_ = {.volumes = {}, .part = kNowhere};
             frame.count("volumes", 0, static_cast<double>(casters_.of(light).size()), "casters");
         }
         publishVisibility(frame, light);
@@ -58,6 +58,7 @@ Progress VolumeTechnique::render(Frame& frame) {
             passInfo(counting_.passes, "light"),
             [&] {
                 if (isNeeded) this->light(frame, light);
+                if (frame.drawsFinished() && light == lights - 1) passes_.shadeFinished(frame);
             },
             light);
     }
@@ -137,19 +138,27 @@ VolumeTechnique::ChosenVolumes VolumeTechnique::chosen(const Frame& frame, int l
         if (method == CountMethod::zPass && passRule().corrected)
             chosen.startCount += eyeCount(frame.scene(), caster, seen.end, source, frame.camera().positionWorld);
     }
+    chosen.part = countedPart(chosen);
     return chosen;
+}
+
+/// The rectangle around all parts of volumes. An eye in a volume counts everywhere.
+std::optional<scene::PicturePart> VolumeTechnique::countedPart(const ChosenVolumes& chosen) {
+    scene::PicturePart all = kNowhere;
+    for (const CountedVolume& volume : chosen.volumes) {
+        if (!volume.seen.part) return std::nullopt;
+        all = around(all, *volume.seen.part);
+    }
+    return chosen.startCount == 0 ? std::optional(all) : std::nullopt;
 }
 
 void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
     const auto known = kept_.find(light);
-    const ChosenVolumes& chosen =
-        known != kept_.end() ? known->second : kept_.emplace(light, this->chosen(frame, light)).first->second;
-    drawn_ = chosen.volumes;
-    startCount_ = chosen.startCount;
-    frame.count("volumes", static_cast<double>(drawn_.size()), static_cast<double>(casters_.of(light).size()),
+    chosen_ = known != kept_.end() ? known->second : kept_.emplace(light, chosen(frame, light)).first->second;
+    frame.count("volumes", static_cast<double>(chosen_.volumes.size()), static_cast<double>(casters_.of(light).size()),
                 "casters");
-    const auto passing = std::ranges::count(drawn_, CountMethod::zPass, &CountedVolume::method);
-    frame.count("depth-pass", static_cast<double>(passing), static_cast<double>(drawn_.size()), "volumes");
+    const auto passing = std::ranges::count(chosen_.volumes, CountMethod::zPass, &CountedVolume::method);
+    frame.count("depth-pass", static_cast<double>(passing), static_cast<double>(chosen_.volumes.size()), "volumes");
 }
 
 void VolumeTechnique::clearAndCount(Frame& frame, int light) {
@@ -167,9 +176,10 @@ void VolumeTechnique::clearCount(Frame& frame, int light) {
     frame.pass(
         passInfo(counting_.passes, "clear-stencil"),
         [&] {
-            glClearStencil(startCount_);
-            glClear(GL_STENCIL_BUFFER_BIT);
-            if (countsInFloats(light)) floats_.clear(frame, startCount_);
+            const bool isCleared = frame.drawsFinished() && light == 0 && chosen_.startCount == 0; // with colour and depth
+            glClearStencil(chosen_.startCount);
+            if (!isCleared) glClear(GL_STENCIL_BUFFER_BIT);
+            if (countsInFloats(light)) floats_.clear(frame, chosen_.startCount);
         },
         light);
 }
@@ -193,13 +203,13 @@ void VolumeTechnique::count(Frame& frame, const CountPass& pass, int light) {
                 glCullFace(pass.culled);
             }
             if (countsInFloats(light)) {
-                floats_.count(frame, counter_, light, drawn_, rules());
+                floats_.count(frame, counter_, light, chosen_.volumes, rules());
                 floats_.writeStencil(frame);
                 return;
             }
             frame.target().withoutColor.bind();
             glEnable(GL_STENCIL_TEST);
-            counter_.countIntoStencil(frame, light, drawn_, rules(), params_.stencil);
+            counter_.countIntoStencil(frame, light, chosen_.volumes, rules(), params_.stencil);
         },
         light);
 }
@@ -214,13 +224,13 @@ void VolumeTechnique::publishCount(Frame& frame, std::string_view stage, int lig
 void VolumeTechnique::repair(Frame& frame, int light) {
     if (!params_.repair) return;
     frame.pass(
-        passInfo(counting_.passes, kRepairPass.id), [&] { repair_.apply(frame, light, drawn_, params_.stencil); },
+        passInfo(counting_.passes, kRepairPass.id), [&] { repair_.apply(frame, light, chosen_.volumes, chosen_.part, params_.stencil); },
         light);
 }
 
 void VolumeTechnique::light(Frame& frame, int light) const {
     if (frame.drawsFinished()) {
-        passes_.takeInShadow(frame, params_.stencil.mask());
+        passes_.hide(frame, light, chosen_.part, params_.stencil.mask());
         return;
     }
     gl::setAddLightState();
@@ -269,12 +279,12 @@ void VolumeTechnique::publishStencilStages(Frame& frame, int light) {
         frame.scissorTo(std::nullopt);
         glDepthMask(GL_FALSE);
         floats_.clear(frame, 0);
-        floats_.count(frame, counter_, light, drawn_, rules(), true);
+        floats_.count(frame, counter_, light, chosen_.volumes, rules(), true);
         pictures_.publishCount(frame, "crossings", light, floats_.read());
     }
     if (frame.wants("repair", light)) {
         clearAndCount(frame, light);
-        repair_.publish(frame, light, drawn_, params_.stencil);
+        repair_.publish(frame, light, chosen_.volumes, chosen_.part, params_.stencil);
     }
 }
 

@@ -76,7 +76,10 @@ private:
     struct ChosenVolumes {
         std::vector<CountedVolume> volumes;
         int startCount = 0; ///< the stencil starts with this: how many of the volumes counted with depth pass the eye is in
+        /// Outside of it nothing is counted, or nothing that matters; none: that is not known of any place.
+        std::optional<scene::PicturePart> part = std::nullopt;
     };
+    [[nodiscard]] static std::optional<scene::PicturePart> countedPart(const ChosenVolumes& chosen);
     ChosenVolumes chosen(const Frame& frame, int light);
     void chooseVolumes(Frame& frame, int light);
     void clearAndCount(Frame& frame, int light);
@@ -101,8 +104,7 @@ private:
     Casters casters_;
     std::vector<scene::Bounds> receiversInView_; ///< around what of each may be seen
     scene::Bounds allReceiversInView_;
-    std::vector<CountedVolume> drawn_; ///< of the current light
-    int startCount_ = 0;               ///< likewise
+    ChosenVolumes chosen_; ///< of the current light
     FaceCounter counter_;
     FloatCount floats_;
     StencilledPasses passes_;

@@ -37,10 +37,17 @@ class Unshadowed final : public Technique {
 public:
     Progress render(Frame& frame) override {
         const scene::Scene& scene = frame.scene();
-        frame.drawFinished();
+        frame.drawFinished(FinishedScenes::withLights);
         frame.pass(passInfo(kPasses, "lights-off"),
                    [&] { passes_.lightsOff(frame, ShadingPasses::Depths::withLight); });
         if (frame.wants("lights-off")) frame.publishTarget("lights-off");
+        if (frame.drawsFinished() && scene.lights.size() > 1) {
+            frame.pass(passInfo(kPasses, "light"), [&] {
+                gl::useForAllLights(allLights_, scene, frame.buffers(), frame.eye(), nullptr);
+                gl::drawSurfaces(allLights_, scene, frame.buffers(), frame.eye());
+            });
+            return {};
+        }
         for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
             if (frame.wants("visibility", light))
                 frame.drawStage("visibility", light, GL_RG32F, [&] {
@@ -68,6 +75,7 @@ private:
 
     ShadingPasses passes_;
     gl::Program shade_{"surface.vert", "shade_light.frag"};
+    gl::Program allLights_{"surface.vert", "shade_lights.frag"};
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
 };
 

@@ -20,7 +20,7 @@ using trace::Visibility;
 
 CountedPart emptyPart(ivec2 pictureSize, ivec2 corner, ivec2 size) {
     const auto pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-    return {pictureSize, corner, size, std::vector<std::uint32_t>(pixels, 0x800000u << 8)};
+    return {.pictureSize = pictureSize, .corner = corner, .size = size, .words = std::vector<std::uint32_t>(pixels, 0x800000u << 8)};
 }
 
 PixelMask nothing(const CountedPart& part) { return PixelMask(part.words.size(), 0); }
@@ -40,7 +40,7 @@ bool differs(const CountedPart& part, ivec2 pixel) {
             const ivec2 other = pixel + ivec2(dx, dy), inPicture = part.corner + other;
             if (part.holds(other)) {
                 if (part.isCounted(part.index(other)) != part.isCounted(part.index(pixel))) return true;
-            } else if (inPicture.x >= 0 && inPicture.y >= 0 && inPicture.x < part.pictureSize.x &&
+            } else if (!part.isAll && inPicture.x >= 0 && inPicture.y >= 0 && inPicture.x < part.pictureSize.x &&
                        inPicture.y < part.pictureSize.y) {
                 return true; // drawn by somebody else
             }
@@ -56,6 +56,7 @@ TEST(Repair, PixelsThatDifferAreFoundAndNoOthers) {
             for (const ivec2 beyond : {ivec2(0), ivec2(5, 0), ivec2(0, 1)})
                 for (const double dark : {0.0, 0.03, 0.5, 1.0}) {
                     CountedPart part = emptyPart(corner + size + beyond, corner, size);
+                    part.isAll = std::bernoulli_distribution(0.3)(random);
                     for (std::size_t i = 0; i < part.words.size(); ++i) {
                         setCounted(part, i, std::bernoulli_distribution(dark)(random));
                         setDepth(part, i, std::bernoulli_distribution(0.1)(random) ? 1 : 0.5);

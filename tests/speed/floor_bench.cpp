@@ -204,6 +204,9 @@ int run(int argc, char** argv) {
     entries.push_back({"unshadowed", {}, Floor::plain});
     entries.push_back({"shadow-map", {"shadow-map.filter=hard", "shadow-map.resolution=2048"}, Floor::map});
     entries.push_back({"ray-traced", {}, Floor::plain});
+    if (argc > 3) std::erase_if(entries, [&](const Entry& entry) { return std::ranges::find(argv + 3, argv + argc, std::string(entry.technique)) == argv + argc; });
+    for (int i = 3; i < argc; ++i)
+        if (std::ranges::find(entries, std::string(argv[i]), [](const Entry& e) { return std::string(e.technique); }) == entries.end()) entries.push_back({argv[i], {}, Floor::plain});
     for (Entry& entry : entries) {
         entry.slots.push_back(picture::Session::makeSlot(entry.technique));
         lab::applySettings(entry.slots, entry.settings);

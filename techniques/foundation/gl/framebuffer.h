@@ -49,7 +49,8 @@ struct Target {
 };
 
 /// A picture ready to be shown: exposed, clamped and encoded as sRGB, 8 bits a channel. `inShadow` is the same picture as if the
-/// light were hidden everywhere; a technique that decides after shading copies its pixels. Both are empty until somebody draws.
+/// light were hidden everywhere, of which a technique that decides after shading copies pixels; of several lights it is a bit for
+/// each that is hidden. Both are empty until somebody draws.
 struct FinishedPicture {
     Texture2D color, inShadow;
 };

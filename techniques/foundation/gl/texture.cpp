@@ -205,24 +205,30 @@ void TableTexture::bind(int unit) const {
     glBindTexture(GL_TEXTURE_2D, handle_.id());
 }
 
-ByteBufferTexture::ByteBufferTexture(const std::vector<std::int8_t>& bytes, std::string_view name)
+TriangleTexture::TriangleTexture(const std::vector<std::int8_t>& bytes, std::string_view name)
+    : TriangleTexture(GL_R8I, bytes.data(), bytes.size(), sizeof(std::int8_t), name) {}
+
+TriangleTexture::TriangleTexture(const std::vector<uvec2>& words, std::string_view name)
+    : TriangleTexture(GL_RG32UI, words.data(), words.size(), sizeof(uvec2), name) {}
+
+TriangleTexture::TriangleTexture(GLenum format, const void* data, std::size_t count, std::size_t bytesEach, std::string_view name)
     : buffer_(BufferHandle::create()), handle_(TextureHandle::create()) {
     const auto limit = static_cast<std::size_t>(limitOf(GL_MAX_TEXTURE_BUFFER_SIZE));
-    if (bytes.size() > limit)
-        throw Error(ExitStatus::overLimit, std::string(name) + ": the scene has " + std::to_string(bytes.size()) +
+    if (count > limit)
+        throw Error(ExitStatus::overLimit, std::string(name) + ": the scene has " + std::to_string(count) +
                                                " triangles, this OpenGL driver indexes " + std::to_string(limit) +
                                                "; use a simpler mesh");
     glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
-    const std::int8_t none = 0; // an empty buffer is not a complete texture
-    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(std::max<std::size_t>(1, bytes.size())),
-                 bytes.empty() ? &none : bytes.data(), GL_STATIC_DRAW);
-    buffer_.holds(static_cast<std::int64_t>(std::max<std::size_t>(1, bytes.size())));
+    const uvec2 none(0); // an empty buffer is not a complete texture
+    const std::size_t bytes = std::max<std::size_t>(1, count) * bytesEach;
+    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes), count == 0 ? &none : data, GL_STATIC_DRAW);
+    buffer_.holds(static_cast<std::int64_t>(bytes));
     glBindTexture(GL_TEXTURE_BUFFER, handle_.id());
-    glTexBuffer(GL_TEXTURE_BUFFER, GL_R8I, buffer_.id());
+    glTexBuffer(GL_TEXTURE_BUFFER, format, buffer_.id());
     label(GL_TEXTURE, handle_.id(), name);
 }
 
-void ByteBufferTexture::bind(int unit) const {
+void TriangleTexture::bind(int unit) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_BUFFER, handle_.id());
 }

@@ -100,15 +100,18 @@ private:
     TextureHandle handle_;
 };
 
-/// Bytes, one per element, that a shader reads by index (samplerBuffer over GL_R8I).
-class ByteBufferTexture {
+/// Values of the triangles of a scene that a shader reads by index.
+class TriangleTexture {
 public:
-    ByteBufferTexture() = default;
-    /// Throws Error (overLimit) when there are more than GL_MAX_TEXTURE_BUFFER_SIZE.
-    ByteBufferTexture(const std::vector<std::int8_t>& bytes, std::string_view name);
+    TriangleTexture() = default;
+    /// A byte each (isamplerBuffer over GL_R8I), or two words (usamplerBuffer over GL_RG32UI). Throw Error (overLimit) when there are
+    /// more than GL_MAX_TEXTURE_BUFFER_SIZE.
+    TriangleTexture(const std::vector<std::int8_t>& bytes, std::string_view name);
+    TriangleTexture(const std::vector<uvec2>& words, std::string_view name);
     void bind(int unit) const;
 
 private:
+    TriangleTexture(GLenum format, const void* data, std::size_t count, std::size_t bytesEach, std::string_view name);
     BufferHandle buffer_;
     TextureHandle handle_;
 };

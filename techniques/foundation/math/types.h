@@ -17,6 +17,7 @@ using glm::dvec4;
 using glm::ivec2;
 using glm::mat3;
 using glm::mat4;
+using glm::uvec2;
 using glm::uvec3;
 using glm::uvec4;
 using glm::vec2;

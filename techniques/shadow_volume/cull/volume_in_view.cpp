@@ -38,18 +38,31 @@ scene::Bounds intersection(const scene::Bounds& a, const scene::Bounds& b) {
     return {glm::max(a.lowerWorld, b.lowerWorld), glm::min(a.upperWorld, b.upperWorld)};
 }
 
+scene::PicturePart common(const scene::PicturePart& a, const scene::PicturePart& b) {
+    return {glm::max(a.lower, b.lower), glm::min(a.upper, b.upper)};
+}
+
 bool hasPoints(const scene::Bounds& box) { return glm::all(glm::lessThanEqual(box.lowerWorld, box.upperWorld)); }
 
-/// The rectangle that a box covers in the picture; nothing if part of it is before the near plane.
-std::optional<scene::PicturePart> partOf(const scene::Bounds& box, const dmat4& clipFromWorld) {
-    scene::PicturePart part{dvec2(1e300), dvec2(-1e300)};
-    for (int i = 0; i < 8; ++i) {
-        const dvec4 clip = clipFromWorld * dvec4(box.corner(i), 1.0);
-        if (clip.z <= -clip.w) return std::nullopt;
-        part.lower = glm::min(part.lower, dvec2(clip) / clip.w);
-        part.upper = glm::max(part.upper, dvec2(clip) / clip.w);
+constexpr scene::PicturePart kNothing{dvec2(1e300), dvec2(-1e300)};
+
+/// The rectangle around the convex hull of these points in the picture; nothing if one of them is before the near plane.
+std::optional<scene::PicturePart> partOf(std::span<const dvec4> pointsClip) {
+    scene::PicturePart part = kNothing;
+    for (const dvec4& clip : pointsClip) {
+        if (clip.w <= 0 || clip.z <= -clip.w) return std::nullopt;
+        const dvec2 ndc = dvec2(clip) / clip.w;
+        part = around(part, {ndc, ndc});
     }
     return part;
+}
+
+/// The same for a box.
+std::optional<scene::PicturePart> partOf(const scene::Bounds& box, const dmat4& clipFromWorld) {
+    std::array<dvec4, 8> corners;
+    for (int i = 0; i < 8; ++i)
+        corners[static_cast<std::size_t>(i)] = clipFromWorld * dvec4(box.corner(i), 1.0);
+    return partOf(corners);
 }
 
 // Boxes are made larger by this share of their size: rounding must not cut. Frame::scissorTo adds a pixel in the picture.
@@ -70,28 +83,29 @@ VolumeInView volumeInView(const CasterVolume& caster, const scene::Light& light,
             .end = end,
             .any = any,
             .topCap = scene::mayTouch(all.first(8), part),
-            .bottomCap = end.distance ? any : scene::mayTouch(all.last(8), part)};
+            .bottomCap = end.distance ? any : scene::mayTouch(all.last(8), part),
+            .part = partOf(all)};
 }
 
 void keepToReceivers(VolumeInView& volume, const scene::Light& light, std::span<const scene::Bounds> receivers,
                      const gl::EyeMatrices& eye) {
     const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
     const scene::Bounds hull = boundsOf(hullWorld(volume.caster->bounds, light, volume.end));
-    scene::PicturePart all{dvec2(1e300), dvec2(-1e300)};
+    scene::PicturePart all = kNothing;
     bool meets = false, known = true;
     for (const scene::Bounds& receiver : receivers) {
-        const dvec3 around(kAroundBox * glm::length(receiver.upperWorld - receiver.lowerWorld));
-        scene::Bounds common = intersection({receiver.lowerWorld - around, receiver.upperWorld + around}, hull);
-        if (!hasPoints(common)) continue;
+        const dvec3 margin(kAroundBox * glm::length(receiver.upperWorld - receiver.lowerWorld));
+        const scene::Bounds met = intersection({receiver.lowerWorld - margin, receiver.upperWorld + margin}, hull);
+        if (!hasPoints(met)) continue;
         meets = true;
-        const std::optional<scene::PicturePart> part = partOf(common, clipFromWorld);
+        const std::optional<scene::PicturePart> part = partOf(met, clipFromWorld);
         known = known && part;
         if (!known) break;
-        all.lower = glm::min(all.lower, part->lower);
-        all.upper = glm::max(all.upper, part->upper);
+        all = around(all, *part);
     }
     if (!meets) volume.any = false;
-    if (meets && known) volume.part = all;
+    if (!meets || !known) return;
+    volume.part = volume.part ? common(*volume.part, all) : all;
 }
 
 } // namespace shadowlab::shadow_volume

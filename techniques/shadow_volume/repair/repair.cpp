@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <utility>
 
@@ -92,7 +93,10 @@ std::vector<ivec2> inPicture(const CountedPart& part, const PixelMask& marked) {
     for (int y = 0, begin = 0; y < part.size.y; ++y) {
         const std::uint8_t* const row = &marked[part.index({0, y})];
         const std::uint8_t* const end = row + part.size.x;
-        for (const std::uint8_t* at = std::find(row, end, 1); at != end; at = std::find(at + 1, end, 1))
+        const auto next = [&](const std::uint8_t* from) { // memchr looks at many bytes at a time
+            return static_cast<const std::uint8_t*>(std::memchr(from, 1, static_cast<std::size_t>(end - from)));
+        };
+        for (const std::uint8_t* at = next(row); at; at = next(at + 1))
             pixels.push_back(part.corner + ivec2(static_cast<int>(at - row), y));
         const int below = part.corner.y + y + 1;
         if (below % kBlock != 0 && y + 1 < part.size.y) continue; // the rows of blocks go on
@@ -118,7 +122,9 @@ void markDifferingRows(const CountedPart& part, int begin, int end, PixelMask& m
     std::vector<std::uint8_t> above(width), row(width), below(width), columns(width + 2), differs(width);
     readBits(part, begin, row);
     readBits(part, std::max(begin - 1, 0), above);
-    const ivec2 lower = part.corner, upper = part.pictureSize - part.corner - part.size; // pixels beyond the part
+    // Unknown pixels beyond the part.
+    const ivec2 lower = part.isAll ? ivec2(0) : part.corner;
+    const ivec2 upper = part.isAll ? ivec2(0) : part.pictureSize - part.corner - part.size;
     for (int y = begin; y < end; ++y) {
         if (y + 1 < part.size.y)
             readBits(part, y + 1, below);
@@ -139,7 +145,7 @@ void markDifferingRows(const CountedPart& part, int begin, int end, PixelMask& m
         if (upper.x > 0) differs.back() = any = 1;
         const std::size_t first = part.index({0, y});
         for (std::size_t x = 0; any != 0 && x < width; ++x)
-            marked[first + x] |= static_cast<std::uint8_t>(differs[x] != 0 && part.hasSurface(first + x));
+            if (differs[x] != 0 && part.hasSurface(first + x)) marked[first + x] = 1;
         std::swap(above, row);
         std::swap(row, below);
     }

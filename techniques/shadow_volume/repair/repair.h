@@ -22,6 +22,7 @@ struct CountedPart {
     /// As a target's depth and stencil are read: 24 bits of depth, then 8 of the count, rows from below.
     std::vector<std::uint32_t> words;
     std::uint32_t countMask = 0xff; ///< the bits of the count that are kept
+    bool isAll = false;             ///< beyond the part nothing is counted, or nothing that matters
 
     /// `inPart`: pixels from the part's upper left corner.
     [[nodiscard]] std::size_t index(ivec2 inPart) const {
@@ -43,7 +44,7 @@ struct CountedPart {
 using PixelMask = std::vector<std::uint8_t>;
 
 /// Marks each pixel that has a surface and of whose eight neighbours one has another bit; neighbours without a surface have
-/// a bit, too. At the border of the part the neighbours beyond it are unknown, so such a pixel is always marked.
+/// a bit, too. At the border of the part the neighbours beyond it are unknown unless the part isAll, so such a pixel is always marked.
 void markDiffering(const CountedPart& part, PixelMask& marked);
 
 /// Marks each pixel that has a surface and is touched by an edge, as the eye sees it. What lies before the near plane is

@@ -6,12 +6,14 @@
 
 namespace shadowlab::shadow_volume {
 
-void RepairPass::readCount(const Frame& frame, const StencilRule& stencil) {
-    const auto [corner, size] = drawnRegion(frame.view());
+void RepairPass::readCount(const Frame& frame, const std::optional<scene::PicturePart>& counted, const StencilRule& stencil) {
+    const Region drawn = drawnRegion(frame.view());
     part_.pictureSize = frame.view().size;
+    part_.countMask = stencil.mask();
+    part_.isAll = counted && drawn.size == part_.pictureSize;
+    const auto [corner, size] = part_.isAll ? frame.pixelsOf(counted) : drawn;
     part_.corner = corner;
     part_.size = size;
-    part_.countMask = stencil.mask();
     part_.words.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.target().framebuffer.id());
     glReadPixels(corner.x, part_.pictureSize.y - corner.y - size.y, size.x, size.y, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
@@ -19,8 +21,9 @@ void RepairPass::readCount(const Frame& frame, const StencilRule& stencil) {
     gl::check("reading the stencil");
 }
 
-void RepairPass::apply(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil) {
-    const Repair& repair = decided(frame, light, volumes, stencil);
+void RepairPass::apply(Frame& frame, int light, std::span<const CountedVolume> volumes,
+                       const std::optional<scene::PicturePart>& counted, const StencilRule& stencil) {
+    const Repair& repair = decided(frame, light, volumes, counted, stencil);
     if (told_.insert(light).second) {
         const ivec2 drawn = drawnRegion(frame.view()).size;
         const auto lookedAt = static_cast<double>(repair.lookedAt.size());
@@ -31,10 +34,10 @@ void RepairPass::apply(Frame& frame, int light, std::span<const CountedVolume> v
 }
 
 const Repair& RepairPass::decided(const Frame& frame, int light, std::span<const CountedVolume> volumes,
-                                  const StencilRule& stencil) {
+                                  const std::optional<scene::PicturePart>& counted, const StencilRule& stencil) {
     if (const auto known = decided_.find(light); known != decided_.end()) return known->second;
     tracer_.advance(frame.snapshot(), Deadline::max()); // nothing is left to do, unless only the stage is asked for
-    readCount(frame, stencil);
+    readCount(frame, counted, stencil);
     marked_.assign(part_.words.size(), 0);
     markDiffering(part_, marked_);
     for (const CountedVolume& volume : volumes) {
@@ -63,8 +66,9 @@ void RepairPass::writeBits(const Frame& frame, const Repair& repair, const Stenc
     glBindVertexArray(0);
 }
 
-void RepairPass::publish(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil) {
-    const Repair& repair = decided(frame, light, volumes, stencil);
+void RepairPass::publish(Frame& frame, int light, std::span<const CountedVolume> volumes,
+                         const std::optional<scene::PicturePart>& counted, const StencilRule& stencil) {
+    const Repair& repair = decided(frame, light, volumes, counted, stencil);
     const ivec2 size = frame.view().size;
     const auto [corner, drawn] = drawnRegion(frame.view());
     const vec3 notLookedAt = look::kShadowed, confirmed = look::kEqualDepth, changed = look::kOccluded;

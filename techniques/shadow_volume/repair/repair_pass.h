@@ -43,17 +43,19 @@ public:
         told_.clear();
     }
 
-    /// Corrects the count that the target's stencil holds for a light. `volumes` are those that were counted. A second call
-    /// in a frame only writes what the first one found, because the same volumes give the same count.
-    void apply(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil);
+    /// Corrects the count that the target's stencil holds for a light. `volumes` are those that were counted, in `counted`: outside
+    /// of it all counts are zero (none: nothing is known of that, and all of the stencil is read). A second call in a frame only writes what the first one found, because the same volumes give the same count.
+    void apply(Frame& frame, int light, std::span<const CountedVolume> volumes, const std::optional<scene::PicturePart>& counted,
+               const StencilRule& stencil);
 
     /// Publishes the decisions as a stage; the stencil stays as it is.
-    void publish(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil);
+    void publish(Frame& frame, int light, std::span<const CountedVolume> volumes, const std::optional<scene::PicturePart>& counted,
+                 const StencilRule& stencil);
 
 private:
     const Repair& decided(const Frame& frame, int light, std::span<const CountedVolume> volumes,
-                          const StencilRule& stencil);
-    void readCount(const Frame& frame, const StencilRule& stencil);
+                          const std::optional<scene::PicturePart>& counted, const StencilRule& stencil);
+    void readCount(const Frame& frame, const std::optional<scene::PicturePart>& counted, const StencilRule& stencil);
     void writeBits(const Frame& frame, const Repair& repair, const StencilRule& stencil) const;
 
     trace::SceneTracer tracer_;

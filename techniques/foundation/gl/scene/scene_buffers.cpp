@@ -110,7 +110,10 @@ void SceneBuffers::update(const scene::Snapshot& snapshot) {
     if (snapshot == snapshot_) return;
     const bool sameGeometry = snapshot_ && snapshot_->revisions.geometry == snapshot->revisions.geometry;
     const bool samePlaces = sameGeometry && snapshot_->revisions.transforms == snapshot->revisions.transforms;
-    if (!samePlaces || snapshot_->revisions.lights != snapshot->revisions.lights) facing_.clear();
+    if (!samePlaces || snapshot_->revisions.lights != snapshot->revisions.lights) {
+        facing_.clear();
+        facingOfAllLights_.reset();
+    }
     if (!samePlaces) bounds_ = scene::objectBounds(*snapshot);
     // The previous snapshot is kept until the end of the function, so that no new mesh has the address of an old one.
     const scene::Snapshot previous = std::exchange(snapshot_, snapshot);
@@ -152,11 +155,24 @@ const Texture2D* SceneBuffers::mask(std::size_t object, std::size_t part) const 
     return mask ? &masks_.at(mask) : nullptr;
 }
 
-const ByteBufferTexture& SceneBuffers::facing(int light) const {
+const TriangleTexture& SceneBuffers::facing(int light) const {
     const auto found = facing_.find(light);
     if (found != facing_.end()) return found->second;
-    return facing_.emplace(light, ByteBufferTexture(facingSigns(*snapshot_, snapshot_->light(light)), "facing signs"))
-        .first->second;
+    return facing_.emplace(light, TriangleTexture(facingSigns(*snapshot_, snapshot_->light(light)), "facing signs")).first->second;
+}
+
+const TriangleTexture& SceneBuffers::facingOfAllLights() const {
+    if (facingOfAllLights_) return *facingOfAllLights_;
+    std::vector<uvec2> sides;
+    for (std::size_t light = 0; light < snapshot_->lights.size(); ++light) {
+        const std::vector<std::int8_t> signs = facingSigns(*snapshot_, snapshot_->lights[light]);
+        sides.resize(signs.size(), uvec2(0));
+        for (std::size_t triangle = 0; triangle < signs.size(); ++triangle) {
+            sides[triangle].x |= (signs[triangle] > 0 ? 1u : 0u) << light;
+            sides[triangle].y |= (signs[triangle] < 0 ? 1u : 0u) << light;
+        }
+    }
+    return facingOfAllLights_.emplace(sides, "facing signs of all lights");
 }
 
 } // namespace shadowlab::gl

@@ -3,6 +3,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace shadowlab::gl {
 
 /// Attribute locations of every vertex shader (shaders/attributes.glsl has the same numbers).
 enum Attribute : GLuint { kPositionMesh = 0, kNormalMesh = 1, kExtrudable = 2, kTexcoordMesh = 3, kTriangleOfMesh = 4 };
+
+/// A program that shades with all lights of a scene at once holds a bit for each in a word.
+constexpr std::size_t kMostLightsAtOnce = 32;
 
 /// Vertex and index buffers of one mesh.
 class MeshBuffers {
@@ -50,7 +54,10 @@ public:
     /// Boxes around the objects (scene::objectBounds), made when the scene changes.
     [[nodiscard]] const std::vector<scene::Bounds>& bounds() const { return bounds_; }
     /// The stored facing signs (scene/query/facing.h) of all triangles for one light; made when first asked for.
-    [[nodiscard]] const ByteBufferTexture& facing(int light) const;
+    [[nodiscard]] const TriangleTexture& facing(int light) const;
+    /// The same of all lights, kMostLightsAtOnce at most: for each triangle a word of those on the side of its front, and one of those
+    /// on that of its back, a bit for each light.
+    [[nodiscard]] const TriangleTexture& facingOfAllLights() const;
     /// Copies a picture without its colours ("source": the picture's unit). Compiled once, at its first use: it is kept here because
     /// these buffers live as long as the context does.
     [[nodiscard]] const Program& greyed() const { return greyed_; }
@@ -65,7 +72,8 @@ private:
     std::vector<bool> hasHoles_; ///< per object
     std::vector<int> triangleBases_;
     std::vector<scene::Bounds> bounds_;
-    mutable std::map<int, ByteBufferTexture> facing_;
+    mutable std::map<int, TriangleTexture> facing_;
+    mutable std::optional<TriangleTexture> facingOfAllLights_;
     Program greyed_{"fullscreen.vert", "greyed.frag"};
 };
 

@@ -68,6 +68,11 @@ vec3 finished(const vec3& radiance, float exposure);
 void useForLight(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
                  int light, ShadedAs shadedAs = ShadedAs::radiance);
 
+/// The same for "shade_lights.frag", which shades with all lights of the scene at once, kMostLightsAtOnce at most. `hiddenLights`: a
+/// picture with a bit for each light (shaders/hide_light.frag); null: no light is hidden anywhere.
+void useForAllLights(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
+                     const Texture2D* hiddenLights);
+
 /// Clears colour to the background, depth and stencil, and draws emission + ambient with depth: all lights off.
 void drawLightsOff(const Program& lightsOff, const scene::Scene& scene, const SceneBuffers& buffers,
                    const EyeMatrices& eye, const ObjectSetup& setup = {});

@@ -2,7 +2,9 @@
 #include "techniques/foundation/trace/packets/pixel_rays.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <tuple>
+#include <utility>
 
 #include "techniques/foundation/trace/parallel.h"
 
@@ -15,14 +17,23 @@ constexpr int kSide = SceneTracer::kBlock;
 /// Pixels of one block, so that their rays can be traced together.
 struct Batch {
     std::size_t first = 0, count = 0; ///< of the list of pixels
+    std::size_t place = 0;            ///< of the first of them along the curve
 };
 
 ivec2 blockOf(ivec2 pixel) { return pixel / kSide; }
 
+/// The place of a block on Morton's curve (1966), along which what is near is mostly near in the picture: the bits of x and y in turn.
+std::uint64_t alongCurve(ivec2 block) {
+    std::uint64_t code = 0;
+    for (int bit = 0; bit < 16; ++bit)
+        code |= (static_cast<std::uint64_t>(block.x >> bit & 1) | static_cast<std::uint64_t>(block.y >> bit & 1) << 1) << 2 * bit;
+    return code;
+}
+
 std::vector<Batch> batchesOf(std::span<const ivec2> pixels) {
     std::vector<Batch> batches;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        if (i == 0 || blockOf(pixels[i]) != blockOf(pixels[i - 1])) batches.push_back({i, 0});
+        if (i == 0 || blockOf(pixels[i]) != blockOf(pixels[i - 1])) batches.push_back({.first = i});
         ++batches.back().count;
     }
     return batches;
@@ -75,14 +86,25 @@ std::vector<Visibility> PixelRays::visibilities(std::span<const ivec2> pixels, c
                                                 const scene::Camera& camera, ivec2 pictureSize, int light) {
     lookAt({tracer.scene(), camera, pictureSize});
     const EyeRays rays = tracer.eyeRays(camera, pictureSize);
-    std::vector<Visibility> answers(pixels.size());
-    const std::vector<Batch> batches = batchesOf(pixels); // of one block each, so that no two threads find the same points
+    std::vector<Batch> batches = batchesOf(pixels); // of one block each, so that no two threads find the same points
+    // Few pixels of a block are asked for, and its shadow rays alone would not fill a bundle: those of near blocks are traced together.
+    std::ranges::sort(batches, {}, [&](const Batch& batch) { return alongCurve(blockOf(pixels[batch.first])); });
+    std::size_t placed = 0;
+    for (Batch& batch : batches)
+        batch.place = std::exchange(placed, placed + batch.count);
+    points_.resize(pixels.size());
     parallelFor(batches.size(), [&](std::size_t i) {
-        const auto [first, count] = batches[i];
-        SurfacePoint points[kSide * kSide];
-        findPoints(pixels.subspan(first, count), tracer, rays, points);
-        tracer.visibilities(std::span(points).first(count), light, std::span(answers).subspan(first, count));
+        const auto [first, count, place] = batches[i];
+        findPoints(pixels.subspan(first, count), tracer, rays, std::span(points_).subspan(place, count));
     });
+    constexpr std::size_t kBundle = kSide * kSide;
+    std::vector<Visibility> found(pixels.size()), answers(pixels.size());
+    parallelFor((pixels.size() + kBundle - 1) / kBundle, [&](std::size_t i) {
+        const std::size_t first = kBundle * i, count = std::min(kBundle, pixels.size() - first);
+        tracer.visibilities(std::span<const SurfacePoint>(points_).subspan(first, count), light, std::span(found).subspan(first, count));
+    });
+    for (const auto& [first, count, place] : batches)
+        std::copy_n(found.begin() + static_cast<std::ptrdiff_t>(place), count, answers.begin() + static_cast<std::ptrdiff_t>(first));
     return answers;
 }
 

@@ -30,6 +30,7 @@ private:
 
     SeenFrom picture_;
     std::vector<std::unique_ptr<Block>> blocks_; ///< of the picture, row by row; none: not remembered
+    std::vector<SurfacePoint> points_;           ///< of the pixels last asked for; its memory is used again
 };
 
 } // namespace shadowlab::trace

@@ -13,6 +13,9 @@ struct PicturePart {
     dvec2 lower{-1.0}, upper{1.0};
 };
 
+/// The smallest rectangle that holds both.
+inline PicturePart around(const PicturePart& a, const PicturePart& b) { return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)}; }
+
 /// The part that covers pixels `corner` to `corner + size`, counted from the upper left, of a picture of `pictureSize`; an
 /// empty size means all of it. One pixel wider on each side than that: the rasteriser rounds, and may touch a pixel that
 /// exact arithmetic would not.
