@@ -2,7 +2,7 @@
 // beside the techniques.
 //
 //   ninja -C build/release floor_bench
-//   build/release/tests/floor_bench SCENE [FOLDER_WITH_ITS_MESHES]
+//   build/release/tests/floor_bench SCENE [FOLDER_WITH_ITS_MESHES [TECHNIQUE...]]
 //
 // The floors leave out all that makes a picture right: no gate, no materials, no highlights, no exposure and encoding. A map is one for the
 // sphere around all casters (objects of two triangles cast nothing), of 2048 x 2048 texels, looked up once in each pixel. Volumes have no floor
@@ -185,28 +185,35 @@ private:
 
 /// A technique, and the floor of its kind.
 struct Entry {
-    const char* technique;
+    std::string technique;
     std::vector<std::string> settings;
     Floor floor;
     std::vector<picture::Slot> slots{};
     std::vector<double> techniqueMs{}, floorMs{}, ratios{}; ///< medians, of each turn
 };
 
+/// The three techniques that have a floor of their kind; or those that are named, others beside the plain frame.
+std::vector<Entry> chosen(const std::vector<std::string>& named) {
+    std::vector<Entry> entries;
+    entries.push_back({"unshadowed", {}, Floor::plain});
+    entries.push_back({"shadow-map", {"shadow-map.filter=hard", "shadow-map.resolution=2048"}, Floor::map});
+    entries.push_back({"ray-traced", {}, Floor::plain});
+    if (named.empty()) return entries;
+    for (const std::string& name : named)
+        if (std::ranges::find(entries, name, &Entry::technique) == entries.end()) entries.push_back({name, {}, Floor::plain});
+    std::erase_if(entries, [&](const Entry& entry) { return std::ranges::find(named, entry.technique) == named.end(); });
+    return entries;
+}
+
 int run(int argc, char** argv) {
     if (argc < 2) {
-        std::fprintf(stderr, "floor_bench SCENE [FOLDER_WITH_ITS_MESHES]\n");
+        std::fprintf(stderr, "floor_bench SCENE [FOLDER_WITH_ITS_MESHES [TECHNIQUE...]]\n");
         return 2;
     }
     scene::LoadOptions options{.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}};
     if (argc > 2) options.allowed.emplace_back(argv[2]);
     const scene::Snapshot base = scene::loadScene(argv[1], options);
-    std::vector<Entry> entries;
-    entries.push_back({"unshadowed", {}, Floor::plain});
-    entries.push_back({"shadow-map", {"shadow-map.filter=hard", "shadow-map.resolution=2048"}, Floor::map});
-    entries.push_back({"ray-traced", {}, Floor::plain});
-    if (argc > 3) std::erase_if(entries, [&](const Entry& entry) { return std::ranges::find(argv + 3, argv + argc, std::string(entry.technique)) == argv + argc; });
-    for (int i = 3; i < argc; ++i)
-        if (std::ranges::find(entries, std::string(argv[i]), [](const Entry& e) { return std::string(e.technique); }) == entries.end()) entries.push_back({argv[i], {}, Floor::plain});
+    std::vector<Entry> entries = chosen({argv + std::min(argc, 3), argv + argc});
     for (Entry& entry : entries) {
         entry.slots.push_back(picture::Session::makeSlot(entry.technique));
         lab::applySettings(entry.slots, entry.settings);
@@ -249,7 +256,7 @@ int run(int argc, char** argv) {
     std::printf("%s, %d x %d, %s, light moving\n%-24s %9s %9s %7s\n", argv[1], kSize.x, kSize.y, context::glRenderer().c_str(),
                 "technique", "frame ms", "floor ms", "ratio");
     for (const Entry& entry : entries)
-        std::printf("%-24s %9.2f %9.2f %7.2f\n", entry.technique, median(entry.techniqueMs), median(entry.floorMs), median(entry.ratios));
+        std::printf("%-24s %9.2f %9.2f %7.2f\n", entry.technique.c_str(), median(entry.techniqueMs), median(entry.floorMs), median(entry.ratios));
     return 0;
 }
 
