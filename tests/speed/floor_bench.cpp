@@ -5,8 +5,9 @@
 //   build/release/tests/floor_bench SCENE [FOLDER_WITH_ITS_MESHES [TECHNIQUE...]]
 //
 // The floors leave out all that makes a picture right: no gate, no materials, no highlights, no exposure and encoding. A map is one for the
-// sphere around all casters (objects of two triangles cast nothing), of 2048 x 2048 texels, looked up once in each pixel. Volumes have no floor
-// here: drawn whole and to infinity they take twice as long as those of the techniques, which end at what receives them.
+// sphere around all casters (objects of two triangles cast nothing), of 2048 x 2048 texels, looked up once in each pixel. Volumes are those of the
+// techniques (drawn whole and to infinity they would take twice as long), extruded before the clock starts; they are counted, and what lies
+// in one is darkened.
 //
 // Floors and techniques take turns, twelve frames at a time, the first light one degree further in each. Printed are the medians of a
 // frame, and of the ratio of each technique to its floor in the same turn.
@@ -25,6 +26,7 @@
 #include "app/picture/session.h"
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/scene/load/load.h"
+#include "techniques/shadow_volume/cull/casters.h"
 #include "tests/speed/median.h"
 
 namespace shadowlab {
@@ -91,6 +93,8 @@ const char* const kPositionVertex = R"(
 layout(location = 0) in vec4 position;
 uniform mat4 clipFromMesh;
 void main() { gl_Position = clipFromMesh * position; })";
+const char* const kFullscreenVertex = "void main() { gl_Position = vec4(4.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.0, 0.0, 1.0); }";
+
 bool casts(const scene::Object& object) { return object.castsShadow && object.mesh->triangles.size() > 2; }
 
 /// Of the sphere around all casters, as the light sees it.
@@ -118,14 +122,16 @@ struct Moment {
     dmat4 mapFromWorld;
 };
 
-enum class Floor { plain, map };
+enum class Floor { plain, map, passing, failing };
 
 class Floors {
 public:
     /// Draws a whole frame and waits for it; milliseconds.
     double draw(Floor floor, const Moment& moment) {
-        const auto begin = std::chrono::steady_clock::now();
         const scene::Scene& scene = *moment.shown.snapshot;
+        const bool hasVolumes = floor == Floor::passing || floor == Floor::failing;
+        if (hasVolumes) extrude(moment.shown.snapshot);
+        const auto begin = std::chrono::steady_clock::now();
         buffers_.update(moment.shown.snapshot);
         const gl::EyeMatrices eye = gl::eyeMatrices(moment.shown.camera, kSize);
         const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
@@ -134,6 +140,8 @@ public:
         framebuffer_.bind();
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
         drawSurfaces(floor == Floor::map ? looking_ : plain_, scene, clipFromWorld, moment.mapFromWorld);
+        if (hasVolumes) count(scene, clipFromWorld, floor == Floor::failing);
+        if (hasVolumes) darken();
         glFinish();
         return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     }
@@ -165,6 +173,51 @@ private:
         }
         map_.bind(0);
     }
+    /// Of the first light, each to the plane behind all objects.
+    void extrude(const scene::Snapshot& snapshot) {
+        while (!casters_.buildNext(snapshot)) {}
+        volumes_.clear();
+        const std::vector<shadow_volume::CasterVolume>& casters = casters_.upload(0);
+        for (std::size_t i = 0; i < casters.size(); ++i) {
+            if (!casters[i].useful) continue;
+            const shadow_volume::VolumeEnd end{.planeWorld = casters[i].endWorld, .distance = {}};
+            const auto extrusion = shadow_volume::extrusionOf(snapshot->objects[casters[i].object], snapshot->lights[0], end);
+            volumes_.push_back({casters[i].object, &casters_.extrude(0, i, extrusion)});
+        }
+    }
+    void count(const scene::Scene& scene, const dmat4& clipFromWorld, bool failing) {
+        withoutColor_.bind();
+        glDepthMask(GL_FALSE);
+        glEnable(GL_STENCIL_TEST);
+        glEnable(GL_DEPTH_CLAMP);
+        glStencilFunc(GL_ALWAYS, 0, 0xff);
+        glStencilOpSeparate(failing ? GL_BACK : GL_FRONT, GL_KEEP, failing ? GL_INCR_WRAP : GL_KEEP, failing ? GL_KEEP : GL_INCR_WRAP);
+        glStencilOpSeparate(failing ? GL_FRONT : GL_BACK, GL_KEEP, failing ? GL_DECR_WRAP : GL_KEEP, failing ? GL_KEEP : GL_DECR_WRAP);
+        position_.use();
+        for (const auto& [index, volume] : volumes_) {
+            const scene::Object& object = scene.objects[index];
+            position_.set("clipFromMesh", mat4(clipFromWorld * scene::worldFromMesh(object)));
+            shadow_volume::setFrontFace(object, false);
+            volume->drawSides();
+            if (!failing) continue;
+            volume->drawBottomCap();
+            volume->drawTopCap();
+            shadow_volume::setFrontFace(object, true);
+            volume->drawTopCapReversed();
+        }
+        glFrontFace(GL_CCW);
+        glDisable(GL_DEPTH_CLAMP);
+    }
+    void darken() {
+        framebuffer_.bind();
+        glDisable(GL_DEPTH_TEST);
+        glStencilFunc(GL_NOTEQUAL, 0, 0xff);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+        darkening_.use();
+        gl::drawFullscreenTriangle();
+    }
     void drawObject(const scene::Object& object, std::size_t index) {
         if (object.mesh->outward) {
             glEnable(GL_CULL_FACE);
@@ -175,12 +228,15 @@ private:
     }
     gl::SceneBuffers buffers_;
     gl::Texture2D color_{GL_RGBA8, kSize, "floor"}, depthStencil_{GL_DEPTH24_STENCIL8, kSize, "floor's depth"};
-    gl::Framebuffer framebuffer_{&color_, &depthStencil_, "floor"};
+    gl::Framebuffer framebuffer_{&color_, &depthStencil_, "floor"}, withoutColor_{nullptr, &depthStencil_, "floor"};
+    shadow_volume::Casters casters_;
+    std::vector<std::pair<std::size_t, const shadow_volume::VolumeBuffers*>> volumes_; ///< of which object
     gl::DepthTextureArray map_{GL_DEPTH_COMPONENT24, kMapSide, 1, "floor's map"};
     gl::Framebuffer mapFramebuffer_{map_, 0, "floor's map"};
     Shader plain_{kSurfaceVertex, surfaceFragment("1.0")};
     Shader looking_{kSurfaceVertex, surfaceFragment("texture(map, vec4(positionMap.xy / positionMap.w, 0.0, positionMap.z / positionMap.w - 0.0005))")};
     Shader position_{kPositionVertex, "void main() {}"};
+    Shader darkening_{kFullscreenVertex, "out vec4 color; void main() { color = vec4(vec3(0.3), 1.0); }"};
 };
 
 /// A technique, and the floor of its kind.
@@ -192,12 +248,15 @@ struct Entry {
     std::vector<double> techniqueMs{}, floorMs{}, ratios{}; ///< medians, of each turn
 };
 
-/// The three techniques that have a floor of their kind; or those that are named, others beside the plain frame.
+/// The techniques that have a floor of their kind; or those that are named, others beside the plain frame.
 std::vector<Entry> chosen(const std::vector<std::string>& named) {
     std::vector<Entry> entries;
     entries.push_back({"unshadowed", {}, Floor::plain});
     entries.push_back({"shadow-map", {"shadow-map.filter=hard", "shadow-map.resolution=2048"}, Floor::map});
     entries.push_back({"ray-traced", {}, Floor::plain});
+    entries.push_back({"shadow-volume-zpass", {}, Floor::passing});
+    entries.push_back({"shadow-volume-zfail", {}, Floor::failing});
+    entries.push_back({"shadow-volume", {}, Floor::passing});
     if (named.empty()) return entries;
     for (const std::string& name : named)
         if (std::ranges::find(entries, name, &Entry::technique) == entries.end()) entries.push_back({name, {}, Floor::plain});

@@ -16,7 +16,8 @@ struct VolumeInView {
 };
 
 /// Leaves out what certainly does not touch the part of the picture that is drawn: the caster's box, what it is extruded
-/// to, or for `any` both together, lie outside one plane of the view.
+/// to, or for `any` both together, lie outside one plane of the view. `part` is the rectangle around both; none where not all of
+/// them lies beyond the near plane.
 VolumeInView volumeInView(const CasterVolume& caster, const scene::Light& light, const VolumeEnd& end,
                           const gl::EyeMatrices& eye);
 
