@@ -1,35 +1,17 @@
 // One light: the irradiance it would give without shadows, and the gates that belong to visibility in every technique.
 // The C++ twin is techniques/foundation/scene/query/shading.h.
-#ifdef LIGHTS // a program that shades with all lights, one after the other: gl::useForAllLights
-#define OF_LIGHT
-const int lightKinds[LIGHTS] = int[LIGHTS](LIGHT_KINDS);
-int lightKind;
+#ifdef LIGHTS // a program that shades with all lights of the scene
+#include "lights.glsl"
 #else
-#define OF_LIGHT uniform
 #ifdef LIGHT_KIND // a constant of the program: gl::useForLight
 const int lightKind = LIGHT_KIND; // 0 point (and sphere), 1 directional, 2 spot, 3 rect
 #else
 uniform int lightKind;
 #endif
-#endif
-OF_LIGHT vec3 lightPositionView;
-OF_LIGHT vec3 lightDirectionView; // unit: the way the light travels; rect: its normal
-OF_LIGHT vec3 lightIntensity;
-OF_LIGHT float lightHalfCone, lightCosHalfCone, lightEdge; // radians
-
-#ifdef LIGHTS
-uniform vec4 lightPositionsView[LIGHTS], lightDirectionsView[LIGHTS], lightIntensities[LIGHTS]; // xyz
-uniform vec4 lightCones[LIGHTS]; // half cone, its cosine, edge
-
-void chooseLight(int light) {
-    lightKind = lightKinds[light];
-    lightPositionView = lightPositionsView[light].xyz;
-    lightDirectionView = lightDirectionsView[light].xyz;
-    lightIntensity = lightIntensities[light].xyz;
-    lightHalfCone = lightCones[light].x;
-    lightCosHalfCone = lightCones[light].y;
-    lightEdge = lightCones[light].z;
-}
+uniform vec3 lightPositionView;
+uniform vec3 lightDirectionView; // unit: the way the light travels; rect: its normal
+uniform vec3 lightIntensity;
+uniform float lightHalfCone, lightCosHalfCone, lightEdge; // radians
 #endif
 
 // Unit vector from the surface toward the light, and the squared distance to it.

@@ -3,12 +3,11 @@
 // beforehand: a bit for each light, eight to a channel. NOTHING_HIDDEN: of none.
 #include "material.glsl"
 #include "light.glsl"
+#include "facing.glsl"
 #include "lights_off.glsl"
 #include "srgb.glsl"
 in vec3 positionView;
 in vec3 normalView;
-flat in uvec2 lightsAtSides;
-uniform int mirrored; // 1: the object's matrix turns counter-clockwise into clockwise
 uniform int receivesShadow;
 uniform float exposure;
 #ifndef NOTHING_HIDDEN
@@ -16,7 +15,7 @@ uniform sampler2D hiddenLights;
 #endif
 layout(location = 0) out vec4 result;
 
-/// The lights that this pixel is not hidden from.
+// The lights that this pixel is not hidden from.
 uvec4 shownLights() {
 #ifdef NOTHING_HIDDEN
     return uvec4(255u);
@@ -29,7 +28,7 @@ uvec4 shownLights() {
 
 void main() {
     uvec4 shown = shownLights();
-    uint faced = (gl_FrontFacing ? 1 : 0) == mirrored ? lightsAtSides.y : lightsAtSides.x;
+    uint faced = lightsAtEyeSide();
     vec3 toEyeView = normalize(-positionView);
     vec3 shadingNormalView = normalize(normalView);
     if (dot(shadingNormalView, toEyeView) < 0.0) shadingNormalView = -shadingNormalView;

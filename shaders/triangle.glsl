@@ -6,7 +6,7 @@ layout(location = 4) in int triangleOfMesh; // gl::kTriangleOfMesh
 uniform int triangleBase; // scene-wide index of the object's first triangle
 flat out int triangleOfScene;
 #ifdef LIGHTS
-uniform usamplerBuffer lightsFacing; // the same of all lights: a bit for each on the side of the front, and of the back
+uniform usamplerBuffer lightsFacing; // of all lights: a bit for each on the side of the front, and of the back
 flat out uvec2 lightsAtSides;
 #else
 uniform isamplerBuffer lightFacing; // signs decided in double (techniques/foundation/scene/query/facing.h)

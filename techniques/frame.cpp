@@ -30,11 +30,6 @@ bool Frame::drawFinished(FinishedScenes able) {
     return result_.isFinished = true;
 }
 
-void Frame::bindFinished() const {
-    finished_.bind();
-    scissorTo(std::nullopt);
-}
-
 void Frame::bindInShadowToo() {
     makeFinished(request_.finished->inShadow);
     finishedAndInShadow_ = gl::Framebuffer(request_.finished->color, request_.finished->inShadow, target_.depthStencil,
@@ -43,8 +38,10 @@ void Frame::bindInShadowToo() {
 }
 
 void Frame::bindHiddenLights() {
-    makeFinished(request_.finished->inShadow);
-    hiddenLights_ = gl::Framebuffer(&request_.finished->inShadow, &target_.depthStencil, "hidden lights");
+    if (!hiddenLights_) { // once in a frame, which binds it for each light
+        makeFinished(request_.finished->inShadow);
+        hiddenLights_ = gl::Framebuffer(&request_.finished->inShadow, &target_.depthStencil, "hidden lights");
+    }
     hiddenLights_.bind();
 }
 

@@ -88,9 +88,7 @@ public:
     /// then draw to request.finished instead of target().color; depth and stencil stay target()'s.
     bool drawFinished(FinishedScenes able = FinishedScenes::withOneLight);
     [[nodiscard]] bool drawsFinished() const { return result_.isFinished; }
-    /// Within a pass of a frame that draws finished pixels: that picture is drawn to, all that is wanted of it.
-    void bindFinished() const;
-    /// The same: both pictures are drawn to, the one in shadow as well.
+    /// Within a pass of a frame that draws finished pixels: both pictures are drawn to, the one in shadow as well.
     void bindInShadowToo();
     /// The same of several lights: in the place of the picture in shadow a bit for each light is drawn to, where it is hidden.
     void bindHiddenLights();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shading_passes.h"
 
-#include "techniques/foundation/gl/baseline.h"
-
 namespace shadowlab {
 
 namespace {
@@ -80,14 +78,18 @@ void StencilledPasses::hide(Frame& frame, int light, const std::optional<scene::
     gl::drawFullscreenTriangle();
 }
 
-void StencilledPasses::shadeFinished(Frame& frame) const {
-    if (frame.scene().lights.size() == 1) return;
-    gl::setBaselineState();
-    frame.bindFinished();
-    glClear(GL_STENCIL_BUFFER_BIT);
-    gl::setVisibilityState();
-    gl::useForAllLights(allLights_, frame.scene(), frame.buffers(), frame.eye(), &frame.inShadow());
-    gl::drawSurfaces(allLights_, frame.scene(), frame.buffers(), frame.eye());
+void StencilledPasses::shadeFinished(Frame& frame, const PassInfo& light) const {
+    const int lights = static_cast<int>(frame.scene().lights.size());
+    if (!frame.drawsFinished() || lights == 1) return;
+    frame.pass(
+        light,
+        [&] {
+            glClear(GL_STENCIL_BUFFER_BIT);
+            gl::setVisibilityState();
+            gl::useForAllLights(allLights_, frame.scene(), frame.buffers(), frame.eye(), &frame.inShadow());
+            gl::drawSurfaces(allLights_, frame.scene(), frame.buffers(), frame.eye());
+        },
+        lights - 1);
 }
 
 } // namespace shadowlab

@@ -39,8 +39,9 @@ public:
     /// Of the pass "light", for finished pixels: the light is hidden where the stencil, masked, is not zero; and nowhere outside of
     /// `part`, if that is given.
     void hide(Frame& frame, int light, const std::optional<scene::PicturePart>& part, GLuint stencilMask) const;
-    /// After the last light, in its pass "light": shades with all that are not hidden, if there are several.
-    void shadeFinished(Frame& frame) const;
+    /// After the last light, whose pass "light" it goes on with, for finished pixels of several lights: shades with all that are not
+    /// hidden.
+    void shadeFinished(Frame& frame, const PassInfo& light) const;
     /// The program that adds a light to radiance.
     [[nodiscard]] const gl::Program& light() const { return light_; }
 

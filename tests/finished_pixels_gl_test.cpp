@@ -1,6 +1,7 @@
-// The two roads to a picture (techniques/shading_passes.h; of ray tracing: techniques/ray_tracing/finished_picture.h) give the same one: radiance in floats, encoded at the end, and finished
-// pixels drawn at once.
+// The two roads to a picture (techniques/shading_passes.h; of ray tracing: techniques/ray_tracing/finished_picture.h) give the same
+// one: radiance in floats, encoded at the end, and finished pixels drawn at once.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -82,12 +83,18 @@ public:
 
     void compare(const scene::Snapshot& snapshot, const View& view) {
         picture::Session session(snapshot);
-        const image::Image byRadiance = drawRadiance(session, slots_[0], view), lit = drawRadiance(session, slots_[1], view);
+        const std::vector<StageKey> passes = distinct(session.render(slots_[0], view).result.passes);
+        const image::Image byRadiance = encoded(slots_[0], *snapshot);
+        session.render(slots_[1], view);
+        const image::Image lit = encoded(slots_[1], *snapshot);
         gl::FinishedPicture finished;
         FrameRequest request;
         request.finished = &finished;
-        if (!session.render(slots_[0], view, request).result.isFinished) return;
+        const Frame::Result drawn = session.render(slots_[0], view, request).result;
+        if (!drawn.isFinished) return;
         ++scenes;
+        // Whoever steps through the passes takes them from any frame that was drawn.
+        EXPECT_EQ(distinct(drawn.passes), passes) << slots_[0].info->id << " in " << snapshot->name;
         const image::Image atOnce = picture::PictureEncoder::read(finished.color);
         const auto [corner, size] = drawnRegion(view);
         for (int y = corner.y; y < corner.y + size.y; ++y)
@@ -98,13 +105,21 @@ public:
                 farApart += apart > kMostLevels;
                 shadowed += testing::levelsApart(lit.at(x, y), atOnce.at(x, y)) > kMostLevels;
             }
-        EXPECT_EQ(farApart, 0u) << slots_[0].info->id << " in " << snapshot->name << ", scene " << scenes << ", " << snapshot->lights.size() << " lights";
+        EXPECT_EQ(farApart, 0u) << slots_[0].info->id << " in " << snapshot->name << ", the " << scenes << "th scene, "
+                                << snapshot->lights.size() << " lights";
     }
 
 private:
-    image::Image drawRadiance(picture::Session& session, picture::Slot& slot, const View& view) {
-        session.render(slot, view);
-        return encoder_.encode(slot.target.color, session.snapshot()->exposure);
+    [[nodiscard]] image::Image encoded(const picture::Slot& slot, const scene::Scene& scene) const {
+        return encoder_.encode(slot.target.color, scene.exposure);
+    }
+
+    /// Each once, in the order of their first run.
+    static std::vector<StageKey> distinct(const std::vector<StageKey>& passes) {
+        std::vector<StageKey> once;
+        for (const StageKey& pass : passes)
+            if (std::ranges::find(once, pass) == once.end()) once.push_back(pass);
+        return once;
     }
 
     std::vector<picture::Slot> slots_; ///< the variant, and no shadows

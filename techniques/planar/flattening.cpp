@@ -11,7 +11,7 @@ namespace {
 /// The part of the picture in which the shadow of a box can fall; the whole picture if the shadow reaches infinity or
 /// behind the eye.
 scene::PicturePart partOfShadow(const scene::Bounds& box, const gl::EyeMatrices& eye, const Projection& projection) {
-    scene::PicturePart part = kNowhere;
+    scene::PicturePart part = scene::kNowhere;
     for (int i = 0; i < 8; ++i) {
         const dvec4 flattened = projection.flattenedFromView * (eye.viewFromWorld * dvec4(box.corner(i), 1.0));
         const dvec4 clip = eye.clipFromView * flattened;
@@ -95,7 +95,7 @@ void addCasters(LitPlane& plane, const FlattenedScene& all) {
     const bool cull = params.cull && !params.mayBeAnywhere();
     plane.contact = contactHeight(plane.projection, eye, eye.viewFromWorld * casters.worldFromCaster(),
                                   casters.farthestInList(), plane.receiver->unevenness);
-    scene::PicturePart part = kNowhere;
+    scene::PicturePart part = scene::kNowhere;
     for (std::size_t i = 0; i < casters.all().size(); ++i) {
         const Caster& caster = casters.all()[i];
         // Most of the plane's own object lies in the plane or behind it; without clipping its shadow would cover the plane.

@@ -38,8 +38,4 @@ std::vector<LitPlane> litPlanes(const scene::Scene& scene, const std::vector<Cho
                                 const Casters& casters, const gl::EyeMatrices& eye, const dvec4& lightWorld,
                                 const PlanarParams& params, bool countTurnedAway);
 
-/// An empty rectangle.
-inline constexpr scene::PicturePart kNowhere{dvec2(1.0), dvec2(-1.0)};
-
-
 } // namespace shadowlab::planar

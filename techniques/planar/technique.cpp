@@ -71,17 +71,14 @@ Progress Planar::render(Frame& frame) {
         frame.pass(
             passInfo(kPasses, "light"),
             [&] {
-                if (frame.drawsFinished()) {
-                    if (isNeeded) passes_.hide(frame, light, std::nullopt, kMarkBit);
-                    if (light == lights - 1) passes_.shadeFinished(frame);
-                    return;
-                }
                 if (!isNeeded) return;
+                if (frame.drawsFinished()) return passes_.hide(frame, light, std::nullopt, kMarkBit);
                 gl::setAddLightState();
                 drawLit(frame, sampled ? shadeCounted_ : passes_.light(), light);
             },
             light);
     }
+    passes_.shadeFinished(frame, passInfo(kPasses, "light"));
     if (!params_.once)
         for (int light = 0; light < lights; ++light)
             frame.pass(
@@ -117,7 +114,7 @@ void Planar::listFor(const Frame& frame) {
     chosen_ = std::move(choice.receivers);
     leftOut_ = choice.leftOut;
     lit_.clear();
-    shadowedParts_.assign(chosen_.size(), kNowhere);
+    shadowedParts_.assign(chosen_.size(), scene::kNowhere);
     for (const scene::Light& light : scene.lights) {
         lit_.push_back(
             litPlanes(scene, chosen_, casters_, frame.eye(), scene::homogeneousPositionWorld(light), params_, false));

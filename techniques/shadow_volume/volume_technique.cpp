@@ -19,8 +19,6 @@ namespace {
 // save.
 constexpr std::size_t kMostReceivers = 64;
 
-constexpr scene::PicturePart kNowhere{dvec2(1e300), dvec2(-1e300)};
-
 } // namespace
 
 Progress VolumeTechnique::prepare(const scene::Snapshot& snapshot, Deadline deadline) {
@@ -47,7 +45,7 @@ Progress VolumeTechnique::render(Frame& frame) {
         if (isNeeded) {
             chooseVolumes(frame, light);
         } else {
-            chosen_ = {.volumes = {}, .part = kNowhere};
+            chosen_ = {.volumes = {}, .part = scene::kNowhere};
             frame.count("volumes", 0, static_cast<double>(casters_.of(light).size()), "casters");
         }
         publishVisibility(frame, light);
@@ -58,10 +56,10 @@ Progress VolumeTechnique::render(Frame& frame) {
             passInfo(counting_.passes, "light"),
             [&] {
                 if (isNeeded) this->light(frame, light);
-                if (frame.drawsFinished() && light == lights - 1) passes_.shadeFinished(frame);
             },
             light);
     }
+    passes_.shadeFinished(frame, passInfo(counting_.passes, "light"));
     for (int light = 0; light < lights; ++light)
         publishOverPicture(frame, light);
     return {};
@@ -144,7 +142,7 @@ VolumeTechnique::ChosenVolumes VolumeTechnique::chosen(const Frame& frame, int l
 
 /// The rectangle around all parts of volumes. An eye in a volume counts everywhere.
 std::optional<scene::PicturePart> VolumeTechnique::countedPart(const ChosenVolumes& chosen) {
-    scene::PicturePart all = kNowhere;
+    scene::PicturePart all = scene::kNowhere;
     for (const CountedVolume& volume : chosen.volumes) {
         if (!volume.seen.part) return std::nullopt;
         all = around(all, *volume.seen.part);

@@ -41,14 +41,9 @@ public:
         frame.pass(passInfo(kPasses, "lights-off"),
                    [&] { passes_.lightsOff(frame, ShadingPasses::Depths::withLight); });
         if (frame.wants("lights-off")) frame.publishTarget("lights-off");
-        if (frame.drawsFinished() && scene.lights.size() > 1) {
-            frame.pass(passInfo(kPasses, "light"), [&] {
-                gl::useForAllLights(allLights_, scene, frame.buffers(), frame.eye(), nullptr);
-                gl::drawSurfaces(allLights_, scene, frame.buffers(), frame.eye());
-            });
-            return {};
-        }
-        for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
+        const int lights = static_cast<int>(scene.lights.size());
+        const bool allAtOnce = frame.drawsFinished() && lights > 1; // in the pass of the last one
+        for (int light = 0; light < lights; ++light) {
             if (frame.wants("visibility", light))
                 frame.drawStage("visibility", light, GL_RG32F, [&] {
                     glClear(GL_STENCIL_BUFFER_BIT);
@@ -58,6 +53,10 @@ public:
             frame.pass(
                 passInfo(kPasses, "light"),
                 [&] {
+                    if (allAtOnce) {
+                        if (light == lights - 1) drawWithAllLights(frame);
+                        return;
+                    }
                     glClear(GL_STENCIL_BUFFER_BIT);
                     const gl::ShadedAs shadedAs = passes_.beginLight(frame);
                     draw(frame, shade_, light, shadedAs);
@@ -71,6 +70,11 @@ private:
     static void draw(const Frame& frame, const gl::Program& program, int light, gl::ShadedAs shadedAs) {
         gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light, shadedAs);
         gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye());
+    }
+
+    void drawWithAllLights(const Frame& frame) const {
+        gl::useForAllLights(allLights_, frame.scene(), frame.buffers(), frame.eye(), nullptr);
+        gl::drawSurfaces(allLights_, frame.scene(), frame.buffers(), frame.eye());
     }
 
     ShadingPasses passes_;

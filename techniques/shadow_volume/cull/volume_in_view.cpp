@@ -44,11 +44,9 @@ scene::PicturePart common(const scene::PicturePart& a, const scene::PicturePart&
 
 bool hasPoints(const scene::Bounds& box) { return glm::all(glm::lessThanEqual(box.lowerWorld, box.upperWorld)); }
 
-constexpr scene::PicturePart kNothing{dvec2(1e300), dvec2(-1e300)};
-
 /// The rectangle around the convex hull of these points in the picture; nothing if one of them is before the near plane.
 std::optional<scene::PicturePart> partOf(std::span<const dvec4> pointsClip) {
-    scene::PicturePart part = kNothing;
+    scene::PicturePart part = scene::kNowhere;
     for (const dvec4& clip : pointsClip) {
         if (clip.w <= 0 || clip.z <= -clip.w) return std::nullopt;
         const dvec2 ndc = dvec2(clip) / clip.w;
@@ -91,7 +89,7 @@ void keepToReceivers(VolumeInView& volume, const scene::Light& light, std::span<
                      const gl::EyeMatrices& eye) {
     const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
     const scene::Bounds hull = boundsOf(hullWorld(volume.caster->bounds, light, volume.end));
-    scene::PicturePart all = kNothing;
+    scene::PicturePart all = scene::kNowhere;
     bool meets = false, known = true;
     for (const scene::Bounds& receiver : receivers) {
         const dvec3 margin(kAroundBox * glm::length(receiver.upperWorld - receiver.lowerWorld));

@@ -13,6 +13,9 @@ struct PicturePart {
     dvec2 lower{-1.0}, upper{1.0};
 };
 
+/// An empty one; around() it and another is the other.
+inline constexpr PicturePart kNowhere{dvec2(1e300), dvec2(-1e300)};
+
 /// The smallest rectangle that holds both.
 inline PicturePart around(const PicturePart& a, const PicturePart& b) { return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)}; }
 
