@@ -41,6 +41,8 @@ RenderedPanel renderPanel(Session& session, Slot& slot, const PictureEncoder& en
     const ResolvedStage& stage = request.stage;
     const View view = viewOf(cell, *slot.info, request);
     FrameRequest frame = frameFor(stage);
+    const bool isWholeFrame = !stage.isStage() && !stage.isPass;
+    if (isWholeFrame && request.supersample == 1) frame.finished = &slot.finished;
     frame.timePasses = request.timePasses;
     RenderedFrame rendered = session.render(slot, view, frame);
     if (stage.isOutside()) {
@@ -68,6 +70,8 @@ RenderedPanel renderPanel(Session& session, Slot& slot, const PictureEncoder& en
         // A stage of a size of its own (a light's view of the scene) is averaged only if it would not fit otherwise.
         const bool fits = glm::all(glm::lessThanEqual(published.texture.size(), cell.pictureSize));
         panel.picture = encoder.encode(published, look.kind, exposure, fits ? 1 : request.supersample, &slot.target.color);
+    } else if (rendered.result.isFinished) {
+        panel.picture = PictureEncoder::read(slot.finished.color);
     } else {
         const bool isLifted = stage.isPass && request.liftsSteps;
         const int lift = isLifted ? stepLift(slot.target.color, view.region, *session.snapshot()) : 1;

@@ -17,7 +17,7 @@ using judge::elapsedMs;
 
 Slot Session::makeSlot(std::string_view techniqueId) {
     const TechniqueInfo& info = findTechnique(techniqueId);
-    Slot slot{&info, info.make(), {}, {}};
+    Slot slot{&info, info.make(), {}, {}, {}};
     slot.params = slot.technique->params();
     return slot;
 }

@@ -18,9 +18,10 @@ struct Slot {
     std::unique_ptr<Technique> technique;
     params::ParamList params;
     gl::Target target;
+    gl::FinishedPicture finished; ///< where a frame goes of which nothing but the picture is wanted
 };
 
-/// What came out of one frame besides the picture in the slot's target.
+/// What came out of one frame besides the picture in the slot.
 struct RenderedFrame {
     Frame::Result result;
     double prepareMs = 0;

@@ -68,6 +68,8 @@ class Work:
     def kill_once(self, chance, which):
         """Starts the work, or goes on with it, and ends it at a random moment. Whether it had come to its end before, and what is wrong."""
         self.tries += 1
+        self.folder.mkdir(exist_ok=True)
+        before = outputs.contents(self.folder)  # a run that SIGKILL has ended leaves its temporaries to the next one
         run = self.start(self.folder)
         try:
             run.wait(chance.uniform(0, self.seconds * 1.05))
@@ -85,8 +87,8 @@ class Work:
             wrong.append(f"status {run.returncode} after {which.name}, says {err!r}")
         if run.returncode in (-signal.SIGINT, -signal.SIGTERM, -signal.SIGHUP):
             early = time.monotonic() - killed  # before main() begins, a signal ends every program like that
-            wrong += [f"{which.name} is not handled ({early:.1f} s)"] if outputs.contents(self.folder) and any(
-                outputs.TEMPORARY.search(name) for name in outputs.contents(self.folder)) else []
+            if any(outputs.TEMPORARY.search(name) and name not in before for name in outputs.contents(self.folder)):
+                wrong.append(f"{which.name} is not handled ({early:.1f} s)")
         if which != signal.SIGKILL and run.returncode == 128 + which and err not in ("", INTERRUPTED):
             wrong.append(f"{which.name} says {err!r}")
         return run.returncode == 0, wrong + list(self.damaged(run.returncode == 0))
