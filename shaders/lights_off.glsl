@@ -5,5 +5,5 @@ uniform int emitsFromFrontOnly; // a rect light's surface is dark on its back
 // [anchor: lights-off]
 vec3 lightsOffRadiance() {
     bool emits = emitsFromFrontOnly == 0 || gl_FrontFacing;
-    return (emits ? emission : vec3(0.0)) + ambient * diffuse;
+    return (emits ? emission : vec3(0.0)) + ambient * surfaceDiffuse();
 }

@@ -15,10 +15,14 @@ layout(location = 0) out vec4 result;
 #include "lights_off.glsl"
 #include "srgb.glsl"
 uniform float exposure;
+
+vec3 shown(vec3 radiance) { return srgbFromLinear(clamp(exposure * radiance, 0.0, 1.0)); }
 #endif
 #ifdef IN_SHADOW_TOO
 layout(location = 1) out vec4 inShadow;
+#ifndef COLORED
 uniform vec3 frontInShadow, backInShadow; // finished: the two sides of the surface with lights off, the same all over it
+#endif
 #endif
 #include "shadow_visibility.glsl"
 
@@ -39,12 +43,17 @@ void main() {
     // visible.
     vec3 reflected = visibility > 0.0 ? lightView * reflectance(shadingNormalView, toLightView, toEyeView) : vec3(0.0);
 #ifdef FINISHED
-    result = vec4(srgbFromLinear(clamp(exposure * (lightsOffRadiance() + reflected), 0.0, 1.0)), 1.0);
+    result = vec4(shown(lightsOffRadiance() + reflected), 1.0);
 #else
     result = vec4(reflected, 0.0);
 #endif
 #ifdef IN_SHADOW_TOO
-    inShadow = receivesShadow == 0 ? result : vec4(gl_FrontFacing ? frontInShadow : backInShadow, 1.0);
+#ifdef COLORED
+    vec3 unlit = shown(lightsOffRadiance());
+#else
+    vec3 unlit = gl_FrontFacing ? frontInShadow : backInShadow;
+#endif
+    inShadow = receivesShadow == 0 ? result : vec4(unlit, 1.0);
 #endif
 #endif
 }

@@ -1,9 +1,18 @@
-// The texture coordinate, by which cut_holes.glsl finds holes; only in the variant of a program that cuts holes.
-#ifdef CUT_HOLES
+// What images laid on a surface, and colours of its vertices, are found by; only in the variants of a program that ask for them.
+#if defined(CUT_HOLES) || defined(COLORED)
 layout(location = 3) in vec2 texcoordMesh; // gl::kTexcoordMesh
 out vec2 texcoord;
-
-void passTexcoord() { texcoord = texcoordMesh; }
-#else
-void passTexcoord() {}
 #endif
+#ifdef COLORED
+layout(location = 5) in vec3 colorMesh; // gl::kColorMesh: linear RGB
+out vec3 vertexColor;
+#endif
+
+void passTexcoord() {
+#if defined(CUT_HOLES) || defined(COLORED)
+    texcoord = texcoordMesh;
+#endif
+#ifdef COLORED
+    vertexColor = colorMesh;
+#endif
+}

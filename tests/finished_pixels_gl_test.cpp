@@ -10,6 +10,7 @@
 #include "app/picture/picture.h"
 #include "app/picture/session.h"
 #include "techniques/foundation/scene/load/load.h"
+#include "tests/support/colored.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/levels_apart.h"
 #include "tests/support/random_scenes.h"
@@ -191,6 +192,16 @@ TEST_F(FinishedPixels, OfManyLightsAreThoseOfRadiance) {
         if (variant.manyLights) {
             EXPECT_GE(compared.scenes, 15) << variant.technique;
         }
+    }
+}
+
+TEST_F(FinishedPixels, OfImagesAndColoursOfVerticesAreThoseOfRadiance) {
+    const scene::Scene one = testing::coloredScene();
+    for (const Variant& variant : variants()) {
+        Compared compared(variant);
+        compared.compare(testing::snapshot(one), viewOf(one, {192, 120}));
+        compared.compare(withLights(one, 3), viewOf(one, {192, 120}));
+        EXPECT_EQ(compared.scenes, variant.manyLights ? 2 : 1) << variant.technique;
     }
 }
 

@@ -11,6 +11,8 @@
 #include "app/cli/option_values.h"
 #include "app/cli/text_table.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/model/surface_color.h"
 
 namespace shadowlab::cli {
 
@@ -113,6 +115,37 @@ std::string meshTable(const std::vector<InspectedMesh>& meshes) {
     return aligned(rows, terminalColumns());
 }
 
+std::string imageText(const std::string& path, ivec2 size, const scene::ImagePlacement& placement) {
+    std::string text = std::filesystem::path(path).filename().string() + ", " + std::to_string(size.x) + " x " + std::to_string(size.y);
+    if (placement.scale != dvec2(1.0)) text += ", scaled by " + metres(placement.scale.x) + " and " + metres(placement.scale.y);
+    if (placement.offset != dvec2(0.0)) text += ", moved by " + metres(placement.offset.x) + " and " + metres(placement.offset.y);
+    return text + (placement.clamped ? ", clamped" : "");
+}
+
+/// What of a material is seen: its colour, and whatever it has beside.
+std::string lookOf(const MaterialLook& look) {
+    const scene::Material& material = look.material;
+    std::string text = "diffuse " + joined(dvec3(material.diffuse), " ");
+    const auto add = [&](bool is, const std::string& what) { text += is ? "; " + what : ""; };
+    add(look.vertexColors, "times the colours of the vertices");
+    if (material.colorImage) add(true, "times " + imageText(material.diffuseMap, material.colorImage->size(), material.colorPlacement));
+    add(material.specular != vec3(0), "highlight " + joined(dvec3(material.specular), " ") + ", exponent " + metres(material.shininess));
+    add(material.reflectivity > 0, "mirrors " + metres(material.reflectivity) + " of the light");
+    add(material.transparency > 0, "lets " + metres(material.transparency) + " of it pass, index of refraction " + metres(material.ior));
+    add(material.emission != vec3(0), "emits " + joined(dvec3(material.emission), " "));
+    if (material.alphaMask) add(true, "holes by " + imageText(material.alphaMap, material.alphaMask->size(), material.alphaPlacement));
+    return text;
+}
+
+std::string materialTable(const std::vector<MaterialLook>& materials) {
+    constexpr std::size_t kMost = 30; // a screen of them; --json has all
+    Rows rows{{"material", "what is seen of it"}};
+    for (std::size_t i = 0; i < std::min(materials.size(), kMost); ++i)
+        rows.push_back({scene::shown(materials[i].material.name, 40), lookOf(materials[i])});
+    if (materials.size() > kMost) rows.push_back({"...", std::to_string(materials.size() - kMost) + " more"});
+    return aligned(rows, terminalColumns());
+}
+
 std::string sceneLines(const Inspection& inspection) {
     const SceneContent& content = *inspection.scene;
     std::string lights;
@@ -123,7 +156,6 @@ std::string sceneLines(const Inspection& inspection) {
                     {"triangles", std::to_string(inspection.triangles)},
                     {"lights", orNone(lights)},
                     {"cameras", "1"},
-                    {"materials", named(inspection.materials)},
                     {"cast no shadow", orNone(named(content.castNoShadow))},
                     {"receive no shadow", orNone(named(content.receiveNoShadow))}};
     return aligned(rows, terminalColumns());
@@ -147,7 +179,7 @@ std::string text(const Inspection& inspection) {
     const bool bare = !inspection.scene;
     std::string text = scene::shown(inspection.file, 4096) + (bare ? ": a mesh\n\n" : ": a scene\n\n");
     text += bare ? meshLines(inspection.meshes.front()) : sceneLines(inspection);
-    if (bare && !inspection.materials.empty()) text += "materials: " + named(inspection.materials) + "\n";
+    if (!inspection.materials.empty()) text += "\n" + materialTable(inspection.materials);
     if (!bare && !inspection.meshes.empty()) text += "\n" + meshTable(inspection.meshes);
     std::string more;
     for (const InspectedMesh& mesh : inspection.meshes)
@@ -173,7 +205,19 @@ std::string text(const Inspection& inspection) {
 }
 
 Json inspectionJson(const Inspection& inspection) {
-    Json meshes = Json::array(), remarks = Json::array(), scene;
+    Json meshes = Json::array(), remarks = Json::array(), materials = Json::array(), looks = Json::array(), scene;
+    for (const auto& [material, vertexColors] : inspection.materials) {
+        materials.push_back(material.name);
+        looks.push_back({{"name", material.name},
+                         {"diffuse", vectorJson(dvec3(material.diffuse))},
+                         {"specular", vectorJson(dvec3(material.specular))},
+                         {"emission", vectorJson(dvec3(material.emission))},
+                         {"reflectivity", material.reflectivity},
+                         {"transparency", material.transparency},
+                         {"diffuseMap", material.diffuseMap},
+                         {"alphaMap", material.alphaMap},
+                         {"vertexColors", vertexColors}});
+    }
     for (const InspectedMesh& mesh : inspection.meshes) {
         Json& entry = meshes.emplace_back(Json{{"name", mesh.name}, {"objects", mesh.objects}});
         for (const Count& count : kCounts)
@@ -201,7 +245,8 @@ Json inspectionJson(const Inspection& inspection) {
             {"kind", inspection.scene ? "scene" : "mesh"},
             {"name", inspection.name},
             {"triangles", inspection.triangles},
-            {"materials", inspection.materials},
+            {"materials", materials},
+            {"materialLooks", looks},
             {"scene", scene},
             {"meshes", meshes},
             {"remarks", remarks},

@@ -2,11 +2,13 @@
 #include "app/cli/inspection.h"
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 #include "app/cli/common_options.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/model/surface_color.h"
 #include "techniques/foundation/scene/query/topology/outward_parts.h"
 #include "techniques/registry.h"
 
@@ -121,11 +123,15 @@ Inspection inspectFile(const std::string& file, const std::vector<std::filesyste
     Inspection inspection;
     inspection.file = file;
     std::vector<scene::Material> materials;
+    std::set<std::string> withColors;
     if (isMeshFile(file)) { // itself, not staged: floor and light are not its own
         scene::ObjFile obj = scene::loadObj(file, scene::NormalMode::file, loading);
         inspection.name = std::filesystem::path(file).stem().string();
         inspection.notes = std::move(obj.notes);
         materials = obj.materials;
+        if (!obj.mesh.colors.empty())
+            for (const scene::MeshPart& part : obj.mesh.parts)
+                withColors.insert(part.materialName);
         addObjects(inspection, alone(inspection.name, std::move(obj)));
     } else {
         const auto scene = scene::loadScene(file, loading);
@@ -133,10 +139,13 @@ Inspection inspectFile(const std::string& file, const std::vector<std::filesyste
         inspection.notes = scene->notes;
         inspection.scene = contentOf(*scene);
         materials = scene->materials;
+        for (const scene::Object& object : scene->objects)
+            for (std::size_t part = 0; part < object.partMaterials.size(); ++part)
+                if (scene::usesVertexColors(*scene, object, part)) withColors.insert(materials[object.partMaterials[part]].name);
         addObjects(inspection, *scene);
     }
     for (const scene::Material& material : materials)
-        inspection.materials.push_back(material.name);
+        inspection.materials.push_back({material, withColors.contains(material.name)});
     inspection.remarks = remarksOn(inspection.meshes);
     return inspection;
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "techniques/foundation/math/types.h"
-#include "techniques/foundation/scene/model/mesh.h"
+#include "techniques/foundation/scene/model/scene.h"
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::cli {
@@ -36,6 +36,12 @@ struct Remark {
     std::vector<std::size_t> meshes;
 };
 
+/// What a material is made of, and which images lie on it.
+struct MaterialLook {
+    scene::Material material;
+    bool vertexColors = false; ///< a mesh that it belongs to has colours at its vertices
+};
+
 struct SceneContent {
     std::size_t objects = 0;                  ///< surfaces of lights are not counted
     std::map<std::string, int> lights;        ///< how many of each type
@@ -47,7 +53,8 @@ struct Inspection {
     std::string file, name;
     std::optional<SceneContent> scene; ///< none for a bare mesh
     std::uint64_t triangles = 0;       ///< of all objects, repetitions included
-    std::vector<std::string> materials, notes;
+    std::vector<MaterialLook> materials; ///< in the order of the file
+    std::vector<std::string> notes;
     std::vector<InspectedMesh> meshes; ///< each once, in the order in which objects show them
     std::vector<Remark> remarks;       ///< in the order of the techniques
 };

@@ -2,6 +2,7 @@
 #include "app/picture/digest.h"
 
 #include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/model/surface_color.h"
 
 #include <array>
 #include <cstdio>
@@ -61,10 +62,15 @@ void add(Hash& hash, const scene::Material& material) {
     hash.add(material.priority), hash.add(material.glossDegrees), hash.add(material.translucencyDegrees);
     hash.add(material.alphaMask ? 1 : 0);
     if (material.alphaMask) hash.add(material.alphaMask->size()), hash.add(material.alphaMask->texels());
+    hash.add(material.colorImage ? 1 : 0);
+    if (material.colorImage) hash.add(material.colorImage->size()), hash.add(material.colorImage->texels());
+    for (const scene::ImagePlacement& placement : {material.alphaPlacement, material.colorPlacement})
+        hash.add(dvec3(placement.scale, placement.clamped ? 1 : 0)), hash.add(dvec3(placement.offset, 0));
+    hash.add(material.ofMesh ? 1 : 0);
 }
 
 void add(Hash& hash, const scene::Mesh& mesh) {
-    hash.add(mesh.positionsMesh), hash.add(mesh.normalsMesh), hash.add(mesh.texcoords), hash.add(mesh.triangles);
+    hash.add(mesh.positionsMesh), hash.add(mesh.normalsMesh), hash.add(mesh.texcoords), hash.add(mesh.colors), hash.add(mesh.triangles);
     for (const scene::MeshPart& part : mesh.parts) {
         hash.add(part.firstTriangle), hash.add(part.triangleCount);
         hash.add(part.hasTexcoords ? 1 : 0);

@@ -35,7 +35,7 @@ void main() {
     vec3 radiance = number == kNoCell ? ownRadiance : value.rgb / kPi; // of a Lambertian reflector
 #else
     // The pixel's own material reflects: the simplified mesh may have another one there.
-    vec3 radiance = ownRadiance + diffuse / kPi * value.rgb;
+    vec3 radiance = ownRadiance + surfaceDiffuse() / kPi * value.rgb;
 #endif
     result = vec4(exposureFactor * radiance, 1.0);
 #elif defined(VISIBILITY)

@@ -118,11 +118,10 @@ struct Equations {
 // "The object surfaces must form an enclosed space": where a patch sees no surface, a wall in the colour of the background is taken to
 // be. Lights of the scene are no patches; what a patch reflects of their light counts as emitted.
 // [anchor: lecture-emission]
-dvec3 emission(const scene::Material& material, const dvec3& irradianceByLights, double rowSum,
-               const dvec3& background) {
+dvec3 emission(const Patch& patch, const dvec3& irradianceByLights, double rowSum, const dvec3& background) {
     const double pi = glm::pi<double>(); // of a Lambertian emitter B = pi * intensity
-    return pi * dvec3(material.emission) +
-           dvec3(material.diffuse) * (irradianceByLights + (1 - rowSum) * pi * background);
+    return pi * dvec3(patch.material->emission) +
+           patch.diffuse * (irradianceByLights + (1 - rowSum) * pi * background);
 }
 
 // "Solve radiosity equations" B_i - rho_i * sum over k of F_ik B_k = E_i: each patch gathers what all others send it, from the
@@ -191,8 +190,8 @@ private:
                 seen_[light].emplace_back(ofLight.seen, 1, 0);
             }
             rowSums_.emplace_back(limitRow(equations_.F, i), 1, 0);
-            equations_.rho[i] = dvec3(patch.material->diffuse);
-            equations_.E[i] = emission(*patch.material, irradiance, std::min(1.0, rowSums_[i].x), dvec3(scene.background));
+            equations_.rho[i] = patch.diffuse;
+            equations_.E[i] = emission(patch, irradiance, std::min(1.0, rowSums_[i].x), dvec3(scene.background));
         }
         equations_.B = equations_.E;
         for (int bounce = 0; bounce < bounces_; ++bounce)

@@ -66,7 +66,7 @@ Ray pixelRay(const View& view, ivec2 pixel) {
 void grow(const RayScene& rays, Node& node, int maximumDepth) {
     node.surface = rays.firstSurface(node.ray);
     if (!node.surface) return;
-    const auto& [positionWorld, N, material, triangle, distance, onFront] = *node.surface;
+    const auto& [positionWorld, N, material, diffuse, triangle, distance, onFront] = *node.surface;
     node.kR = material->reflectivity;
     node.kT = material->transparency;
     if (node.kR == 0 && node.kT == 0) return; // opaque and dull, as light sources are
@@ -112,13 +112,13 @@ dvec3 intensity(const RayScene& rays, const Node* node, const dvec2& attenuation
 
     const Surface& surface = *node->surface;
     const dvec3 V = -node->ray.u, N = surface.N;
-    dvec3 I = dvec3(rays.emissionAt(surface) + scene.ambient * surface.material->diffuse);
+    dvec3 I = dvec3(rays.emissionAt(surface)) + dvec3(scene.ambient) * surface.diffuse;
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
         if (!seesLight(rays, surface, light)) continue;
         const scene::Light& source = scene.light(light);
         const dvec3 L = scene::towardLightWorld(source, surface.positionWorld);
         I += scene::irradiance(source, surface.positionWorld, N) * // intensity of the light * N.L / distance^2
-             scene::reflectance(*surface.material, N, L, V);       // diffuse, and specular by N.H
+             scene::reflectance(*surface.material, surface.diffuse, N, L, V); // diffuse, and specular by N.H
     }
     I += node->kR * I_R + node->kT * I_T;
     const double d = surface.distance; // "Pixel ray intensity is attenuated by the distance it travels."

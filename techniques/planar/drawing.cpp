@@ -176,8 +176,8 @@ void Planar::drawSingle(const Frame& frame, const gl::Program& program, const Si
         const gl::Program& used = mask ? program.alphaTested() : program;
         used.use();
         if (mask) {
-            mask->bind(gl::kAlphaMaskUnit);
-            used.set("alphaMask", gl::kAlphaMaskUnit);
+            const scene::Object& object = frame.scene().objects[caster.object];
+            gl::setAlphaMask(used, frame.scene().materials[object.partMaterials[p]], *mask);
         }
         const std::uint32_t partEnd = parts[p].firstTriangle + parts[p].triangleCount;
         for (const TriangleRun& run : single.runs) {

@@ -146,10 +146,8 @@ private:
 
     void drawEmission(const Frame& frame) const {
         clear(frame);
-        for (const gl::Program* program : {&lightsOff_.alphaTested(), &lightsOff_}) {
-            program->use();
-            program->set("ambient", vec3(0.0f)); // ambient light stands for interreflection, which is computed here
-        }
+        constexpr vec3 kNoAmbient(0.0f); // it stands for interreflection, which is computed here
+        gl::useLightsOff(lightsOff_, frame.scene(), frame.buffers(), kNoAmbient);
         gl::drawSurfacesWithHoles(lightsOff_, frame.scene(), frame.buffers(), frame.eye());
     }
 

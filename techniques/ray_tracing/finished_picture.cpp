@@ -50,15 +50,16 @@ private:
         const vec3 normalCA = normalA - normalC, normalCB = normalB - normalC;
         const scene::Material& material = surfaces_.materialOf(point);
         const vec3 lightsOff = surfaces_.lightsOff(point);
+        const bool ownColors = surfaces_.hasOwnColors(point);
         pixels.anySpecular = pixels.anySpecular || material.specular != vec3(0);
         for (std::size_t i = begin; i < end; ++i) {
             const vec2 weights = hits[i].weights;
             put(pixels.positionEye, i, c + weights.x * ca + weights.y * cb);
             put(pixels.normalWorld, i, normalC + weights.x * normalCA + weights.y * normalCB);
-            put(pixels.diffuse, i, material.diffuse);
+            put(pixels.diffuse, i, ownColors ? surfaces_.diffuseOf(hits[i]) : material.diffuse);
             put(pixels.specular, i, material.specular);
             pixels.shininess[i] = material.shininess;
-            put(pixels.radiance, i, lightsOff);
+            put(pixels.radiance, i, ownColors ? surfaces_.lightsOff(hits[i]) : lightsOff);
         }
     }
     void addBackground(std::size_t begin, std::size_t end, PixelLanes& pixels) const {

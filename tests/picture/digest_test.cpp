@@ -14,10 +14,7 @@ namespace shadowlab::picture {
 namespace {
 
 std::shared_ptr<const scene::AlphaMask> maskOf(std::uint8_t alpha) {
-    image::DecodedPng png;
-    png.image = image::Image(2, 1, {0, 0, 0, alpha});
-    png.hasAlpha = true;
-    return std::make_shared<const scene::AlphaMask>(png);
+    return std::make_shared<const scene::AlphaMask>(image::PictureFile{image::Image(2, 1, {0, 0, 0, alpha}), true});
 }
 
 scene::Scene small() {

@@ -17,15 +17,15 @@ scene::Mesh withRepeats(scene::Mesh mesh, vec2 times) {
 }
 
 std::shared_ptr<const scene::AlphaMask> maskOf(const Pattern& pattern) {
-    image::DecodedPng png;
-    png.hasAlpha = true;
-    png.image = image::Image(static_cast<int>(pattern.front().size()), static_cast<int>(pattern.size()));
-    for (int y = 0; y < png.image.height; ++y)
-        for (int x = 0; x < png.image.width; ++x) {
+    image::PictureFile picture;
+    picture.hasAlpha = true;
+    picture.image = image::Image(static_cast<int>(pattern.front().size()), static_cast<int>(pattern.size()));
+    for (int y = 0; y < picture.image.height; ++y)
+        for (int x = 0; x < picture.image.width; ++x) {
             const bool solid = pattern[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] == '#';
-            png.image.set(x, y, {.a = static_cast<std::uint8_t>(solid ? 255 : 0)});
+            picture.image.set(x, y, {.a = static_cast<std::uint8_t>(solid ? 255 : 0)});
         }
-    return std::make_shared<const scene::AlphaMask>(png);
+    return std::make_shared<const scene::AlphaMask>(picture);
 }
 
 void perforate(scene::Scene& scene, std::size_t object, const Pattern& pattern) {

@@ -11,11 +11,8 @@ namespace {
 
 std::array<float, 256> makeDecodeTable() {
     std::array<float, 256> table{};
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        const double encoded = static_cast<double>(i) / 255.0;
-        // 0.04045 is where the straight piece near black meets the power curve.
-        table[i] = static_cast<float>(encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4));
-    }
+    for (std::size_t i = 0; i < table.size(); ++i)
+        table[i] = static_cast<float>(linearFromEncoded(static_cast<double>(i) / 255.0));
     return table;
 }
 
@@ -62,6 +59,11 @@ void blendPixel(Image& image, int x, int y, Color8 color, float coverage) {
 float linearFromSrgb(std::uint8_t encoded) {
     static const std::array<float, 256> table = makeDecodeTable();
     return table[encoded];
+}
+
+double linearFromEncoded(double encoded) {
+    // 0.04045 is where the straight piece near black meets the power curve.
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 std::uint8_t srgbFromLinear(float linear) {

@@ -58,6 +58,8 @@ void blendPixel(Image& image, int x, int y, Color8 color, float coverage);
 /// The sRGB transfer function (IEC 61966-2-1), both ways. The encoder clamps to 0..1 and rounds to nearest.
 float linearFromSrgb(std::uint8_t encoded);
 std::uint8_t srgbFromLinear(float linear);
+/// The decoder of numbers between those of a byte, 0..1.
+double linearFromEncoded(double encoded);
 /// The same of a colour's three channels.
 Color8 encoded(const vec3& linear, std::uint8_t alpha = 255);
 

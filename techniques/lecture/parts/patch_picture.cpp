@@ -40,10 +40,8 @@ void PatchPicture::begin(const Frame& frame, const RayScene& rays, const Divided
     const vec3& background = frame.scene().background;
     glClearColor(background.r, background.g, background.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    for (const gl::Program* program : {&lightsOff_.alphaTested(), &std::as_const(lightsOff_)}) {
-        program->use();
-        program->set("ambient", vec3(0.0f)); // it stands for what is computed here
-    }
+    constexpr vec3 kNoAmbient(0.0f); // it stands for what is computed here
+    gl::useLightsOff(lightsOff_, frame.scene(), frame.buffers(), kNoAmbient);
     gl::drawSurfacesWithHoles(lightsOff_, frame.scene(), frame.buffers(), frame.eye());
     divisions_ = gl::TableTexture(divisionTable(rays, surfaces, frame.eye().viewFromWorld), "lecture: divisions");
     sides_ = 2 * surfaces.patches.size();

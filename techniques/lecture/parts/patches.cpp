@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/model/surface_color.h"
 
 namespace shadowlab::lecture {
 
@@ -67,6 +68,8 @@ DividedSurfaces divide(const RayScene& rays, double size) {
             patch.points.push_back({t.aWorld + b * ab + c * ac, N, area / (pieces * pieces), &t});
             patch.area += patch.points.back().area;
             patch.material = &rays.scene().materials[t.material];
+            patch.diffuse += patch.points.back().area *
+                             dvec3(scene::diffuseAt(rays.scene(), rays.objectOf(t), t.inObject, {1 - b - c, b, c}));
         };
         for (int i = 0; i < pieces; ++i)
             for (int j = 0; i + j < pieces; ++j) { // the centres of both halves of a parallelogram
@@ -74,8 +77,10 @@ DividedSurfaces divide(const RayScene& rays, double size) {
                 if (i + j + 1 < pieces) add((i + 2 / 3.0) / pieces, (j + 2 / 3.0) / pieces);
             }
     }
-    for (Patch& patch : patches)
+    for (Patch& patch : patches) {
+        patch.diffuse /= patch.area;
         thinOut(patch);
+    }
     return divided;
 }
 

@@ -17,6 +17,7 @@ struct Patch {
     std::vector<SurfacePoint> points; ///< evenly on it; their areas add up to the patch's
     double area = 0;                  ///< m^2
     const scene::Material* material = nullptr;
+    dvec3 diffuse{0.0}; ///< reflectance, the mean over its points
 };
 
 /// Where the patches of a triangle are: m x m of equal size from number `first` on, or all of it in patch `first` (m = 1). m = 0: it

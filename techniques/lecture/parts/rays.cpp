@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/model/surface_color.h"
 #include "techniques/foundation/scene/query/facing.h"
 
 namespace shadowlab::lecture {
@@ -125,6 +126,7 @@ Surface RayScene::surfaceAt(const Ray& ray, const Hit& hit) const {
     return {at(t.aWorld, t.bWorld, t.cWorld),
             glm::dot(N, ray.u) > 0 ? -N : N,
             &scene().materials[t.material],
+            dvec3(scene::diffuseAt(scene(), object, t.inObject, {1 - hit.b - hit.c, hit.b, hit.c})),
             &t,
             hit.distance,
             (glm::dot(frontWorld, ray.u) < 0) != scene::isMirrored(object)};

@@ -37,6 +37,7 @@ struct Surface {
     dvec3 positionWorld;
     dvec3 N; ///< surface normal, unit, interpolated between the corners, on the side that the ray comes from
     const scene::Material* material;
+    dvec3 diffuse; ///< reflectance: the material's, or that of an image or of the vertices there
     const Triangle* triangle;
     double distance; ///< metres along the ray
     bool onFront;    ///< the ray comes from the front of the triangle

@@ -38,7 +38,7 @@ SurfacePicture::Lattices SurfacePicture::upload(const std::vector<vec4>& lattice
 
 void SurfacePicture::draw(const Frame& frame, const gl::Program& program, const Values& values, bool interpolates,
                           const std::function<void()>& setUniforms) const {
-    program.use();
+    gl::useForMaterials(program, frame.scene(), frame.buffers());
     if (setUniforms) setUniforms(); // first, because uploads may replace bound textures
     int unit = gl::kFirstFreeUnit;
     const auto bind = [&](const gl::TableTexture& texture, std::string_view name) {

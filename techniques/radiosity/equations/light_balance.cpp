@@ -15,7 +15,7 @@ Sources sourcesOf(const Room& room, std::span<const DirectLight* const> lights, 
         const scene::Material& material = room.materialOf(patch);
         // A Lambertian surface of radiance L sends pi L into its hemisphere.
         sources.emission.push_back(glm::pi<double>() * dvec3(material.emission));
-        sources.reflectance.emplace_back(glm::clamp(dvec3(material.diffuse), 0.0, 1.0));
+        sources.reflectance.emplace_back(glm::clamp(room.reflectanceOf(patch), 0.0, 1.0));
         sources.fromOutside.push_back(glm::pi<double>() * seenOutside * surroundings);
     };
     for (std::size_t i = 0; i < room.patches().size(); ++i)

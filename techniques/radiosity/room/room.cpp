@@ -53,6 +53,7 @@ bool Room::advance(std::chrono::steady_clock::time_point deadline) {
 void Room::simplify() {
     requireMemoryToSimplify(scene_);
     simple_ = simplifiedScene(scene_, static_cast<std::size_t>(kShareOfFaces * static_cast<double>(settings_.patches)));
+    colors_.emplace(scene_);
     world_ = trace::worldTriangles(*simple_->scene);
     plain_ = facesOf(*simple_->scene, world_);
     bvh_ = trace::buildBvh(world_.triangles);
@@ -96,6 +97,14 @@ double Room::cutWithinBudget() {
         if (count <= settings_.patches || budget == 0 || i == kTries) return size;
         budget = std::min(budget - 1, budget * settings_.patches / count);
     }
+}
+
+dvec3 Room::reflectanceOf(const Patch& patch) const {
+    const dvec3 ofMaterial(materialOf(patch).diffuse);
+    const std::uint32_t object = faceOf(patch).object;
+    if (!colors_->has(object)) return ofMaterial;
+    const bool isCoarse = !simple_->cornersOfObject[object].empty();
+    return colors_->mean(patch, world_.originWorld, object, isCoarse ? simple_->cellMetres : 1e-3 * sizeOf(patch.polygon), ofMaterial);
 }
 
 void Room::sampleSurroundings(std::size_t patch) {

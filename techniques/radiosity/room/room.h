@@ -10,6 +10,7 @@
 #include "techniques/radiosity/form_factors/occlusion.h"
 #include "techniques/radiosity/patches/patches.h"
 #include "techniques/radiosity/patches/winding_number.h"
+#include "techniques/radiosity/room/patch_colors.h"
 #include "techniques/radiosity/room/refinement.h"
 #include "techniques/radiosity/room/sides.h"
 #include "techniques/radiosity/simplify/simplified_scene.h"
@@ -63,6 +64,8 @@ public:
     [[nodiscard]] const scene::Material& materialOf(const Patch& patch) const {
         return simple_->scene->materials[faceOf(patch).material];
     }
+    /// Diffuse reflectance, the mean over the patch.
+    [[nodiscard]] dvec3 reflectanceOf(const Patch& patch) const;
     [[nodiscard]] const scene::Object& objectOf(const Patch& patch) const {
         return simple_->scene->objects[faceOf(patch).object];
     }
@@ -79,6 +82,7 @@ private:
     RoomSettings settings_;
     Phase phase_ = Phase::simplify;
     std::optional<SimplifiedScene> simple_;
+    std::optional<PatchColors> colors_;
     trace::WorldTriangles world_;
     Faces plain_; ///< the faces that block light
     Sides sides_;

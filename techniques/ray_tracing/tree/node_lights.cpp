@@ -43,7 +43,7 @@ LightAtNode sampledLight(const RayWorld& world, const TreeSettings& settings, co
     if (at.visibility != trace::Visibility::lit) return at;
     const double cosine = std::max(0.0, glm::dot(node.normalWorld, sample.towardWorld));
     at.intensity = dvec3(source.color) * source.intensity * sample.solidAngle * cosine *
-                   scene::reflectance(surfaces.materialOf(node.point), node.normalWorld, sample.towardWorld, -node.u);
+                   scene::reflectance(surfaces.materialOf(node.point), dvec3(surfaces.diffuseOf(node.point)), node.normalWorld, sample.towardWorld, -node.u);
     return at;
 }
 

@@ -145,7 +145,7 @@ void RayTree::light(const RayWorld& world, const TreeSettings& settings, TreeNod
 void RayTree::split(const RayWorld& world, const TreeSettings& settings, std::size_t index) {
     TreeNode& node = nodes_[index];
     const Surfaces& surfaces = world.surfaces;
-    const dvec3 diffuse(surfaces.materialOf(node.point).diffuse);
+    const dvec3 diffuse(surfaces.diffuseOf(node.point));
     const bool spreads = settings.interreflection && world.numbers && diffuse != dvec3(0.0);
     if (!surfaces.splits(node.point) && !spreads) {
         const bool shines = surfaces.materialOf(node.point).emission != vec3(0) && surfaces.emitsHere(node.point);

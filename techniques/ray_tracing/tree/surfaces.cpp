@@ -5,6 +5,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "techniques/foundation/scene/model/surface_color.h"
 #include "techniques/foundation/scene/query/shading.h"
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
@@ -29,6 +30,7 @@ const dvec3 kAwayFromScene = glm::normalize(dvec3(0.3178, 0.9021, 0.2913));
 Surfaces::Surfaces(const trace::SceneTracer& tracer) : tracer_(&tracer) {
     for (const scene::Object& object : scene().objects) {
         normalWorldFromMesh_.push_back(glm::transpose(glm::inverse(dmat3(object.worldFromObject))));
+        ownColors_.push_back(scene::hasOwnColors(scene(), object));
         bool transparent = false;
         for (const std::uint32_t index : object.partMaterials) {
             const scene::Material& material = scene().materials[index];
@@ -49,6 +51,11 @@ Surfaces::Outside Surfaces::outsideOf(const scene::Object& object) const {
     return outwardInMesh != scene::isMirrored(object) ? Outside::front : Outside::back;
 }
 
+vec3 Surfaces::diffuseOf(const trace::SurfacePoint& point) const {
+    if (!hasOwnColors(point)) return materialOf(point).diffuse;
+    return scene::diffuseAt(scene(), tracer_->objectOf(point), triangleOf(point), point.barycentric());
+}
+
 bool Surfaces::emitsHere(const trace::SurfacePoint& point) const {
     const int light = tracer_->objectOf(point).emitterOfLight;
     const bool rect = light >= 0 && scene().light(light).type == scene::LightType::rect;
@@ -57,7 +64,7 @@ bool Surfaces::emitsHere(const trace::SurfacePoint& point) const {
 
 // [anchor: shaded-lights-off]
 vec3 Surfaces::lightsOff(const trace::SurfacePoint& point) const {
-    return scene().ambient * materialOf(point).diffuse + emitted(point);
+    return scene().ambient * diffuseOf(point) + emitted(point);
 }
 
 dvec3 Surfaces::normalWorld(const trace::SurfacePoint& point, const dvec3& toViewerWorld) const {
@@ -90,7 +97,7 @@ dvec3 Surfaces::lit(const trace::SurfacePoint& point, int light, const dvec3& po
     const scene::Light& source = scene().light(light);
     const dvec3 irradiance = scene::irradiance(source, positionWorld, normalWorld);
     if (irradiance == dvec3(0.0)) return irradiance; // facing away: no reflectance needed
-    return irradiance * scene::reflectance(materialOf(point), normalWorld,
+    return irradiance * scene::reflectance(materialOf(point), dvec3(diffuseOf(point)), normalWorld,
                                            scene::towardLightWorld(source, positionWorld), toViewerWorld);
 }
 
@@ -98,7 +105,7 @@ dvec3 Surfaces::litByArea(const trace::SurfacePoint& point, int light, double ir
                           const dvec3& normalWorld, const dvec3& toViewerWorld) const {
     const scene::Light& source = scene().light(light);
     return glm::pi<double>() * irradiance * source.intensity * dvec3(source.color) *
-           scene::reflectance(materialOf(point), normalWorld, scene::towardLightWorld(source, positionWorld),
+           scene::reflectance(materialOf(point), dvec3(diffuseOf(point)), normalWorld, scene::towardLightWorld(source, positionWorld),
                               toViewerWorld);
 }
 

@@ -20,6 +20,10 @@ public:
     [[nodiscard]] const scene::Material& materialOf(const trace::SurfacePoint& point) const {
         return scene().materials[materials_[point.primitive]];
     }
+    /// Diffuse reflectance at the point: the material's, or that of an image or of the vertices there.
+    [[nodiscard]] vec3 diffuseOf(const trace::SurfacePoint& point) const;
+    /// Has the surface not the same colour all over?
+    [[nodiscard]] bool hasOwnColors(const trace::SurfacePoint& point) const { return ownColors_[objectOf(point)]; }
     /// A rect light's surface is dark on its back.
     [[nodiscard]] bool emitsHere(const trace::SurfacePoint& point) const;
     /// Emitted radiance toward the viewer.
@@ -82,6 +86,7 @@ private:
     const trace::SceneTracer* tracer_;
     std::vector<std::uint32_t> materials_;   ///< per triangle of the scene
     std::vector<dmat3> normalWorldFromMesh_; ///< per object
+    std::vector<bool> ownColors_;            ///< per object
     std::vector<Outside> outsides_;          ///< per object; determined only for transparent ones
     bool anySplits_ = false, anySolid_ = false;
 };

@@ -3,6 +3,7 @@
 #include "techniques/foundation/scene/model/holes.h"
 
 #include "techniques/foundation/image/png/png.h"
+#include "techniques/foundation/scene/load/image_files.h"
 #include "tests/foundation/scene/scene_files.h"
 #include "tests/support/perforated.h"
 
@@ -23,10 +24,10 @@ std::string pngOf(const std::vector<image::Color8>& texels, bool opaque) {
 /// One letter per texel of a row, as the file is read.
 std::string read(const std::vector<image::Color8>& texels, bool opaque) {
     const TempFolder folder;
-    const auto mask = AlphaMasks().load(folder.write("mask.png", pngOf(texels, opaque)), Limits());
+    const auto mask = ImageFiles().mask(folder.write("mask.png", pngOf(texels, opaque)), {}, Limits());
     std::string row;
     for (std::size_t i = 0; i < texels.size(); ++i)
-        row += mask->isHole({(static_cast<double>(i) + 0.5) / static_cast<double>(texels.size()), 0.5}) ? '.' : '#';
+        row += mask->isHole({(static_cast<double>(i) + 0.5) / static_cast<double>(texels.size()), 0.5}, false) ? '.' : '#';
     return row;
 }
 
@@ -40,17 +41,17 @@ TEST(AlphaMask, TheNearestTexelRepeatedWithRowsFromTheBottom) {
         for (int v = -3; v <= 3; ++v)
             for (int column = 0; column < 3; ++column)
                 for (int row = 0; row < 2; ++row) {
-                    const bool hole = mask->isHole(dvec2(u + (column + 0.5) / 3, v + (row + 0.5) / 2));
+                    const bool hole = mask->isHole(dvec2(u + (column + 0.5) / 3, v + (row + 0.5) / 2), false);
                     EXPECT_EQ(hole, row == 0 ? column == 0 : column != 0) << column << ", " << row;
                     ++(hole ? holes : solid);
                 }
     EXPECT_EQ(solid, 49 * 3);
     EXPECT_EQ(holes, 49 * 3);
     // A texel begins at its lower and left border; just below zero is the image's other end.
-    EXPECT_TRUE(mask->isHole({0, 0}));
-    EXPECT_FALSE(mask->isHole({0, 0.5}));
-    EXPECT_FALSE(mask->isHole({-1e-18, 0}));
-    EXPECT_TRUE(mask->isHole({-1e-18, -1e-18}));
+    EXPECT_TRUE(mask->isHole({0, 0}, false));
+    EXPECT_FALSE(mask->isHole({0, 0.5}, false));
+    EXPECT_FALSE(mask->isHole({-1e-18, 0}, false));
+    EXPECT_TRUE(mask->isHole({-1e-18, -1e-18}, false));
 }
 
 TEST(AlphaMask, AlphaCountsAndBrightnessWhereThereIsNone) {

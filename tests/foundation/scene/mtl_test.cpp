@@ -185,7 +185,7 @@ TEST(Mtl, AlphaMapsAreKeptWhenTheyMayBeRead) {
         loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n"), NormalMode::file, {});
     EXPECT_EQ(obj.materials[0].alphaMap, (folder.path() / "leaf.png").string());
     ASSERT_NE(obj.materials[0].alphaMask, nullptr);
-    EXPECT_TRUE(obj.materials[0].alphaMask->isHole({0.5, 0.5}));
+    EXPECT_TRUE(obj.materials[0].alphaMask->isHole({0.5, 0.5}, false));
     EXPECT_EQ(obj.materials[1].alphaMap, "");
     EXPECT_EQ(obj.materials[1].alphaMask, nullptr);
     EXPECT_EQ(obj.materials[2].alphaMask, nullptr);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/gl/scene/scene_buffers.h"
 
+#include <array>
+#include <cstdint>
 #include <span>
 
 #include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/model/surface_color.h"
 #include "techniques/foundation/scene/query/facing.h"
 
 namespace shadowlab::gl {
@@ -61,6 +64,7 @@ MeshBuffers::MeshBuffers(const scene::Mesh& mesh)
     positions_ = uploadWithCopies(mesh.positionsMesh, withNumbers.copied);
     normals_ = uploadWithCopies(mesh.normalsMesh, withNumbers.copied);
     if (!mesh.texcoords.empty()) texcoords_ = uploadWithCopies(mesh.texcoords, withNumbers.copied);
+    if (!mesh.colors.empty()) colors_ = uploadWithCopies(mesh.colors, withNumbers.copied);
     numbers_ = uploadBuffer(GL_ARRAY_BUFFER, withNumbers.numbers);
     glBindVertexArray(vertexArray_.id());
     bindAttributes(mesh);
@@ -83,6 +87,7 @@ void MeshBuffers::bindAttributes(const scene::Mesh& mesh) const {
     bind(positions_, kPositionMesh, 3);
     bind(normals_, kNormalMesh, 3);
     if (!mesh.texcoords.empty()) bind(texcoords_, kTexcoordMesh, 2);
+    if (!mesh.colors.empty()) bind(colors_, kColorMesh, 3);
 }
 
 void MeshBuffers::draw(std::uint32_t firstTriangle, std::uint32_t triangleCount) const {
@@ -101,6 +106,16 @@ Texture2D uploadMask(const scene::AlphaMask& mask) {
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, mask.size().x, mask.size().y, GL_RED, GL_UNSIGNED_BYTE,
                     mask.texels().data());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    return texture;
+}
+
+Texture2D uploadColors(const scene::ColorImage* image) {
+    constexpr std::array<std::uint8_t, 4> kWhite{255, 255, 255, 255};
+    const ivec2 size = image ? image->size() : ivec2(1);
+    Texture2D texture(GL_SRGB8_ALPHA8, size, "colour image");
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, image ? image->texels().data() : kWhite.data());
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
     return texture;
 }
 
@@ -132,6 +147,7 @@ void SceneBuffers::update(const scene::Snapshot& snapshot) {
         triangles += static_cast<int>(object.mesh->triangles.size());
     }
     updateMasks();
+    updateColorImages();
 }
 
 /// Uploads the masks of the snapshot that are new. The cache key of a mask is its address; `previous` in update() keeps the
@@ -148,6 +164,26 @@ void SceneBuffers::updateMasks() {
             masks_.emplace(mask, old != known.end() ? std::move(old->second) : uploadMask(*mask));
         }
     }
+}
+
+/// As updateMasks.
+void SceneBuffers::updateColorImages() {
+    std::unordered_map<const scene::ColorImage*, Texture2D> known = std::exchange(colorImages_, {});
+    anyOwnColors_ = scene::hasOwnColors(*snapshot_);
+    if (!anyOwnColors_) return;
+    const auto keep = [&](const scene::ColorImage* image) {
+        if (colorImages_.contains(image)) return;
+        const auto old = known.find(image);
+        colorImages_.emplace(image, old != known.end() ? std::move(old->second) : uploadColors(image));
+    };
+    keep(nullptr);
+    for (const scene::Object& object : snapshot_->objects)
+        for (std::size_t part = 0; part < object.mesh->parts.size(); ++part)
+            keep(scene::colorImageOfPart(*snapshot_, object, part));
+}
+
+const Texture2D& SceneBuffers::colorImage(std::size_t object, std::size_t part) const {
+    return colorImages_.at(scene::colorImageOfPart(*snapshot_, snapshot_->objects[object], part));
 }
 
 const Texture2D* SceneBuffers::mask(std::size_t object, std::size_t part) const {

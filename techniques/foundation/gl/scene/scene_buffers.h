@@ -15,7 +15,7 @@
 namespace shadowlab::gl {
 
 /// Attribute locations of every vertex shader (shaders/attributes.glsl has the same numbers).
-enum Attribute : GLuint { kPositionMesh = 0, kNormalMesh = 1, kExtrudable = 2, kTexcoordMesh = 3, kTriangleOfMesh = 4 };
+enum Attribute : GLuint { kPositionMesh = 0, kNormalMesh = 1, kExtrudable = 2, kTexcoordMesh = 3, kTriangleOfMesh = 4, kColorMesh = 5 };
 
 /// A program that shades with all lights of a scene at once holds a bit for each in a word.
 constexpr std::size_t kMostLightsAtOnce = 32;
@@ -35,7 +35,7 @@ public:
 
 private:
     void bindAttributes(const scene::Mesh& mesh) const;
-    BufferHandle positions_, normals_, texcoords_, numbers_, indices_, numberedIndices_;
+    BufferHandle positions_, normals_, texcoords_, colors_, numbers_, indices_, numberedIndices_;
     VertexArrayHandle vertexArray_, numberedArray_;
 };
 
@@ -49,6 +49,10 @@ public:
     [[nodiscard]] const Texture2D* mask(std::size_t object, std::size_t part) const;
     [[nodiscard]] bool hasHoles(std::size_t object) const { return hasHoles_[object]; }
     [[nodiscard]] bool anyHoles() const { return !masks_.empty(); }
+    /// The image that colours a part of an object (scene/model/surface_color.h), sRGB, rows from the bottom. Without one: white.
+    [[nodiscard]] const Texture2D& colorImage(std::size_t object, std::size_t part) const;
+    /// Has a surface not the same colour all over?
+    [[nodiscard]] bool anyOwnColors() const { return anyOwnColors_; }
     /// Number of triangles in the objects before this one: triangle t of it has the scene-wide index base + t.
     [[nodiscard]] int triangleBase(std::size_t object) const { return triangleBases_[object]; }
     /// Boxes around the objects (scene::objectBounds), made when the scene changes.
@@ -64,11 +68,14 @@ public:
 
 private:
     void updateMasks();
+    void updateColorImages();
 
     scene::Snapshot snapshot_;
     std::unordered_map<const scene::Mesh*, std::unique_ptr<MeshBuffers>> meshes_;
     std::vector<const MeshBuffers*> objectMeshes_;
     std::unordered_map<const scene::AlphaMask*, Texture2D> masks_;
+    std::unordered_map<const scene::ColorImage*, Texture2D> colorImages_; ///< null: one white texel
+    bool anyOwnColors_ = false;
     std::vector<bool> hasHoles_; ///< per object
     std::vector<int> triangleBases_;
     std::vector<scene::Bounds> bounds_;

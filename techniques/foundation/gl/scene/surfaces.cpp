@@ -9,6 +9,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/image/image.h"
+#include "techniques/foundation/scene/model/surface_color.h"
 
 namespace shadowlab::gl {
 
@@ -27,26 +28,28 @@ int lightKind(scene::LightType type) {
 // Defines for what is constant in a pass: the kind of light, what is written, and whether any material has highlights. A software renderer
 // evaluates all branches for every pixel, which took a fifth to a third of the frame time.
 
-void defineMaterials(const scene::Scene& scene, std::vector<std::string>& defines) {
+void defineMaterials(const scene::Scene& scene, const SceneBuffers& buffers, std::vector<std::string>& defines) {
+    if (buffers.anyOwnColors()) defines.emplace_back("COLORED");
     const auto hasNoSpecular = [](const scene::Material& material) { return material.specular == vec3(0); };
     if (std::ranges::all_of(scene.materials, hasNoSpecular)) defines.emplace_back("NO_SPECULAR");
 }
 
-std::vector<std::string> knownBefore(const scene::Scene& scene, const scene::Light& light, ShadedAs shadedAs) {
+std::vector<std::string> knownBefore(const scene::Scene& scene, const SceneBuffers& buffers, const scene::Light& light,
+                                     ShadedAs shadedAs) {
     std::vector<std::string> defines{"LIGHT_KIND " + std::to_string(lightKind(light.type))};
     if (shadedAs != ShadedAs::radiance) defines.emplace_back("FINISHED");
     if (shadedAs == ShadedAs::finishedAndInShadow) defines.emplace_back("IN_SHADOW_TOO");
-    defineMaterials(scene, defines);
+    defineMaterials(scene, buffers, defines);
     return defines;
 }
 
-std::vector<std::string> knownOfAllLights(const scene::Scene& scene, bool nothingHidden) {
+std::vector<std::string> knownOfAllLights(const scene::Scene& scene, const SceneBuffers& buffers, bool nothingHidden) {
     std::string kinds;
     for (const scene::Light& light : scene.lights)
         kinds += (kinds.empty() ? "" : ", ") + std::to_string(lightKind(light.type));
     std::vector<std::string> defines{"LIGHTS " + std::to_string(scene.lights.size()), "LIGHT_KINDS " + kinds};
     if (nothingHidden) defines.emplace_back("NOTHING_HIDDEN");
-    defineMaterials(scene, defines);
+    defineMaterials(scene, buffers, defines);
     return defines;
 }
 
@@ -90,6 +93,17 @@ void drawRun(const Program& program, const SceneBuffers& buffers, std::size_t in
     buffers.mesh(index).drawNumbered(first, count);
 }
 
+vec4 placed(const scene::ImagePlacement& placement) { return vec4(dvec4(placement.scale, placement.offset)); }
+
+void setColorMap(const Program& program, const scene::Material& material, const Texture2D& image) {
+    const auto wrap = static_cast<GLint>(material.colorPlacement.clamped ? GL_CLAMP_TO_EDGE : GL_REPEAT);
+    image.bind(kColorMapUnit);
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, axis, wrap);
+    program.set("colorMap", kColorMapUnit);
+    program.set("colorPlacement", placed(material.colorPlacement));
+}
+
 void drawPart(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t index,
               std::size_t partIndex) {
     const scene::Object& object = scene.objects[index];
@@ -99,6 +113,10 @@ void drawPart(const Program& program, const scene::Scene& scene, const SceneBuff
     program.set("specular", material.specular);
     program.set("shininess", material.shininess);
     program.set("emission", material.emission);
+    if (program.reads("colorMap")) {
+        setColorMap(program, material, buffers.colorImage(index, partIndex));
+        program.set("usesVertexColors", scene::usesVertexColors(scene, object, partIndex) ? 1 : 0);
+    }
     if (program.reads("frontInShadow")) {
         const vec3 reflected = scene.ambient * material.diffuse;
         const vec3 front = finished(material.emission + reflected, scene.exposure);
@@ -108,12 +126,12 @@ void drawPart(const Program& program, const scene::Scene& scene, const SceneBuff
     drawRun(program, buffers, index, part.firstTriangle, part.triangleCount);
 }
 
-/// The variant of a program that cuts holes, in use, with this mask.
-const Program& useAlphaTested(const Program& program, const Texture2D& mask) {
+/// The variant of a program that cuts holes, in use, with this mask of a part.
+const Program& useAlphaTested(const Program& program, const scene::Scene& scene, std::size_t object, std::size_t part,
+                              const Texture2D& mask) {
     const Program& alphaTested = program.alphaTested();
     alphaTested.use();
-    mask.bind(kAlphaMaskUnit);
-    alphaTested.set("alphaMask", kAlphaMaskUnit);
+    setAlphaMask(alphaTested, scene.materials[scene.objects[object].partMaterials[part]], mask);
     return alphaTested;
 }
 
@@ -170,7 +188,7 @@ void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, co
                 drawPart(program, scene, buffers, i, part);
                 continue;
             }
-            const Program& alphaTested = useAlphaTested(program, *mask);
+            const Program& alphaTested = useAlphaTested(program, scene, i, part, *mask);
             setObject(alphaTested, scene, eye, scene.objects[i]);
             drawPart(alphaTested, scene, buffers, i, part);
             program.use();
@@ -189,7 +207,7 @@ void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuf
         return drawRun(program, buffers, object, 0, static_cast<std::uint32_t>(mesh.triangles.size()));
     for (std::size_t part = 0; part < mesh.parts.size(); ++part) {
         const Texture2D* mask = buffers.mask(object, part);
-        const Program& chosen = mask ? useAlphaTested(program, *mask) : program;
+        const Program& chosen = mask ? useAlphaTested(program, scene, object, part, *mask) : program;
         chosen.use();
         chosen.set("clipFromMesh", mat4(clipFromMesh));
         drawRun(chosen, buffers, object, mesh.parts[part].firstTriangle, mesh.parts[part].triangleCount);
@@ -206,7 +224,7 @@ void useForLight(const Program& program, const scene::Scene& scene, const SceneB
     const scene::Light& source = scene.light(light);
     // The visibility shader is too short to gain from variants: one program serves all kinds of light.
     program.useWith(program.isMadeWith("VISIBILITY_ONLY") ? std::vector<std::string>{}
-                                                          : knownBefore(scene, source, shadedAs));
+                                                          : knownBefore(scene, buffers, source, shadedAs));
     program.set("ambient", scene.ambient); // where lights off and light are one pass
     program.set("exposure", scene.exposure);
     program.set("lightKind", lightKind(source.type)); // where the program was not made for it
@@ -223,7 +241,7 @@ void useForLight(const Program& program, const scene::Scene& scene, const SceneB
 
 void useForAllLights(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
                      const Texture2D* hiddenLights) {
-    program.useWith(knownOfAllLights(scene, hiddenLights == nullptr));
+    program.useWith(knownOfAllLights(scene, buffers, hiddenLights == nullptr));
     program.set("ambient", scene.ambient);
     program.set("exposure", scene.exposure);
     std::vector<vec4> positionsView, directionsView, intensities, cones;
@@ -245,16 +263,33 @@ void useForAllLights(const Program& program, const scene::Scene& scene, const Sc
     program.set("hiddenLights", kFirstFreeUnit);
 }
 
+void useForMaterials(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers) {
+    std::vector<std::string> defines;
+    defineMaterials(scene, buffers, defines);
+    program.useWith(defines);
+}
+
+void setAlphaMask(const Program& alphaTested, const scene::Material& material, const Texture2D& mask) {
+    mask.bind(kAlphaMaskUnit);
+    alphaTested.set("alphaMask", kAlphaMaskUnit);
+    alphaTested.set("alphaPlacement", placed(material.alphaPlacement));
+    alphaTested.set("alphaClamped", material.alphaPlacement.clamped ? 1 : 0);
+}
+
+void useLightsOff(const Program& lightsOff, const scene::Scene& scene, const SceneBuffers& buffers, const vec3& ambient) {
+    const auto useOne = [&](const Program& program) {
+        useForMaterials(program, scene, buffers);
+        program.set("ambient", ambient);
+    };
+    if (buffers.anyHoles()) useOne(lightsOff.alphaTested());
+    useOne(lightsOff);
+}
+
 void drawLightsOff(const Program& lightsOff, const scene::Scene& scene, const SceneBuffers& buffers,
                    const EyeMatrices& eye, const ObjectSetup& setup) {
     glClearColor(scene.background.r, scene.background.g, scene.background.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    if (buffers.anyHoles()) {
-        lightsOff.alphaTested().use();
-        lightsOff.alphaTested().set("ambient", scene.ambient);
-    }
-    lightsOff.use();
-    lightsOff.set("ambient", scene.ambient);
+    useLightsOff(lightsOff, scene, buffers, scene.ambient);
     drawSurfacesWithHoles(lightsOff, scene, buffers, eye, setup);
 }
 

@@ -25,10 +25,11 @@ struct EyeMatrices {
 };
 EyeMatrices eyeMatrices(const scene::Camera& camera, ivec2 size);
 
-/// Texture units of the facing signs and of alpha masks; a technique's own textures use the units after them.
+/// Texture units of the facing signs, of alpha masks and of colour images; a technique's own textures use the units after them.
 constexpr int kFacingUnit = 0;
 constexpr int kAlphaMaskUnit = 1;
-constexpr int kFirstFreeUnit = 2;
+constexpr int kColorMapUnit = 2;
+constexpr int kFirstFreeUnit = 3;
 
 /// Called for each object with the program in use, before its parts are drawn; false leaves the object out.
 using ObjectSetup = std::function<bool(const scene::Object&)>;
@@ -72,6 +73,15 @@ void useForLight(const Program& program, const scene::Scene& scene, const SceneB
 /// picture with a bit for each light (shaders/hide_light.frag); null: no light is hidden anywhere.
 void useForAllLights(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
                      const Texture2D* hiddenLights);
+
+/// Puts a program to use that reads shaders/material.glsl but no light, as it is made for the materials of this scene.
+void useForMaterials(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers);
+
+/// The same for "lights_off.frag", and for its variant that cuts holes, with this ambient light.
+void useLightsOff(const Program& lightsOff, const scene::Scene& scene, const SceneBuffers& buffers, const vec3& ambient);
+
+/// Chooses, for surfaces with holes, what cuts them: the program has to be in use.
+void setAlphaMask(const Program& alphaTested, const scene::Material& material, const Texture2D& mask);
 
 /// Clears colour to the background, depth and stencil, and draws emission + ambient with depth: all lights off.
 void drawLightsOff(const Program& lightsOff, const scene::Scene& scene, const SceneBuffers& buffers,

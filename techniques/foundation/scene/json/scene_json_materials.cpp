@@ -3,27 +3,29 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/json/scene_json.h"
+#include "techniques/foundation/scene/load/image_files.h"
 #include "techniques/foundation/scene/load/message_text.h"
-#include "techniques/foundation/scene/model/holes.h"
 
 namespace shadowlab::scene {
 
 namespace {
 
-void readAlphaMap(const SceneReading& reading, const JsonObject& keys, AlphaMasks& masks, Material& material) {
-    const std::filesystem::path file = readReference(reading, keys, "alphaMap").canonical;
+/// The image that `key` names, made by `make(path)`; its path goes to `path`.
+template <typename Make>
+auto readImage(const SceneReading& reading, const JsonObject& keys, const char* key, std::string& path, const Make& make) {
+    const std::filesystem::path file = readReference(reading, keys, key).canonical;
+    path = file.string();
     try {
-        material.alphaMask = masks.load(file, reading.options.limits);
+        return make(file);
     } catch (const Error& error) {
-        keys.fail("alphaMap", "is " + inQuotes(keys.text("alphaMap")) + ", " + error.what(), error.status());
+        keys.fail(key, "is " + inQuotes(keys.text(key)) + ", " + error.what(), error.status());
     }
-    material.alphaMap = file.string();
 }
 
-Material readMaterial(const SceneReading& reading, const JsonMember& member, AlphaMasks& masks) {
+Material readMaterial(const SceneReading& reading, const JsonMember& member, ImageFiles& images) {
     const JsonObject keys(reading.document, member.value, "material '" + shown(member.key) + "'",
                           {"diffuse", "specular", "shininess", "reflectivity", "transparency", "ior", "priority",
-                           "glossDegrees", "translucencyDegrees", "emission", "alphaMap"});
+                           "glossDegrees", "translucencyDegrees", "emission", "alphaMap", "diffuseMap"});
     const Range share = Range::between(0.0, 1.0);
     const Range angle = Range::between(0.0, 90.0);
     Material material;
@@ -40,7 +42,13 @@ Material readMaterial(const SceneReading& reading, const JsonMember& member, Alp
     material.glossDegrees = keys.number("glossDegrees", angle, material.glossDegrees);
     material.translucencyDegrees = keys.number("translucencyDegrees", angle, material.translucencyDegrees);
     material.emission = keys.color("emission", reading.atLeastZero(), material.emission);
-    if (keys.find("alphaMap")) readAlphaMap(reading, keys, masks, material);
+    const Limits& limits = reading.options.limits;
+    if (keys.find("alphaMap"))
+        material.alphaMask = readImage(reading, keys, "alphaMap", material.alphaMap,
+                                       [&](const auto& file) { return images.mask(file, {}, limits); });
+    if (keys.find("diffuseMap"))
+        material.colorImage = readImage(reading, keys, "diffuseMap", material.diffuseMap,
+                                        [&](const auto& file) { return images.colors(file, {}, limits); });
     return material;
 }
 
@@ -54,9 +62,9 @@ void readMaterials(const SceneReading& reading, const JsonObject& top) {
     if (value->kind != JsonValue::Kind::object)
         top.fail("materials",
                  "is " + std::string(describe(value->kind)) + "; it must be an object {\"name\": { ... }, ...}");
-    AlphaMasks masks;
+    ImageFiles images;
     for (const JsonMember& member : value->members) {
-        Material material = readMaterial(reading, member, masks);
+        Material material = readMaterial(reading, member, images);
         if (member.key == "white")
             materials.front() = std::move(material);
         else

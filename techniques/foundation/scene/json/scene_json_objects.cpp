@@ -9,6 +9,7 @@
 #include "techniques/foundation/scene/json/scene_json.h"
 #include "techniques/foundation/scene/load/message_text.h"
 #include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/model/surface_color.h"
 #include "techniques/foundation/scene/query/topology/outward_parts.h"
 
 namespace shadowlab::scene {
@@ -52,8 +53,8 @@ private:
     std::string uniqueName(const std::string& wish);
 
     const SceneReading& reading_;
-    Limits limits_;                                       ///< with the texels of all masks so far
-    std::set<const AlphaMask*> countedMasks_;             ///< materials may share one
+    Limits limits_;                                       ///< with the texels of all images so far
+    std::set<const void*> counted_;                       ///< masks and colour images; materials may share one
     std::map<std::string, std::uint32_t> materialIndex_;  ///< all of the scene so far
     std::map<std::string, std::uint32_t> sceneMaterials_; ///< those of the scene file, which `material` may name
     std::map<std::pair<std::string, NormalMode>, std::shared_ptr<const Mesh>> shapes_; ///< by ShapeRequest::id
@@ -120,8 +121,11 @@ void ObjectReader::checkTriangles(const JsonObject& keys, std::uint64_t more) co
 }
 
 void ObjectReader::countTexels(const Material& material) {
-    const AlphaMask* mask = material.alphaMask.get();
-    if (mask && countedMasks_.insert(mask).second) limits_.texels += mask->texels().size();
+    const auto count = [&](const void* image, ivec2 size) {
+        if (counted_.insert(image).second) limits_.texels += static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+    };
+    if (material.alphaMask) count(material.alphaMask.get(), material.alphaMask->size());
+    if (material.colorImage) count(material.colorImage.get(), material.colorImage->size());
 }
 
 ObjectReader::LoadedMesh ObjectReader::shape(const JsonObject& keys, NormalMode mode) {

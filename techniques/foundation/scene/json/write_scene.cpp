@@ -121,6 +121,7 @@ std::string materialJson(const Material& material, const std::filesystem::path& 
         .unless("translucencyDegrees", material.translucencyDegrees, standard.translucencyDegrees)
         .unless("emission", material.emission, standard.emission);
     if (!material.alphaMap.empty()) line.text("alphaMap", relativeName(material.alphaMap, folder));
+    if (!material.diffuseMap.empty()) line.text("diffuseMap", relativeName(material.diffuseMap, folder));
     return line.json();
 }
 
@@ -221,7 +222,7 @@ std::vector<std::filesystem::path> foldersToAllow(const Scene& scene, const std:
     for (const Object& object : scene.objects)
         include(object.source.mesh);
     for (const Material& material : scene.materials)
-        if (!material.ofMesh) include(material.alphaMap);
+        if (!material.ofMesh) include(material.alphaMap), include(material.diffuseMap);
     return {folders.begin(), folders.end()};
 }
 

@@ -23,7 +23,7 @@ struct Limits {
     std::uint64_t lineBytes = 1ull << 20;        ///< one line of an OBJ or MTL file
     std::uint64_t triangles = 20'000'000;        ///< one scene
     std::uint64_t sceneFileBytes = 64ull << 20;  ///< one scene file
-    std::uint64_t imageFileBytes = 256ull << 20; ///< one alpha map, which has as many pixels on a side as
+    std::uint64_t imageFileBytes = 256ull << 20; ///< one image, which has as many pixels on a side as
     std::uint32_t imageSide = 16384;             ///< a texture of Mesa's software renderers
     std::uint32_t polygonCorners = 10'000;       ///< one face of an OBJ file (triangulation is quadratic)
     std::uint32_t objects = 100'000;
@@ -32,7 +32,7 @@ struct Limits {
     double coordinate = 1e15; ///< metres; beyond it squares overflow float and detail is lost even in double
     std::uint64_t memoryBytes = memoryToUse(); ///< scene and pictures together, as memory_estimate.h guesses them
     std::uint64_t pictureBytes = 0;            ///< the part of it that the requested pictures will need
-    std::uint64_t texels = 0;                  ///< of the alpha maps that the scene has so far
+    std::uint64_t texels = 0;                  ///< of the images that the scene has so far
 };
 
 struct LoadOptions {

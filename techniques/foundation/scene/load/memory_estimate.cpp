@@ -12,6 +12,7 @@
 
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/model/surface_color.h"
 
 namespace shadowlab::scene {
 
@@ -33,6 +34,8 @@ std::uint64_t leastLimit() {
     if (std::ifstream file("/sys/fs/cgroup/memory.max"); file >> group && group > 0) least = std::min(least, group);
     return least;
 }
+
+std::uint64_t texelsOf(ivec2 size) { return static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y); }
 
 /// Bytes of the parts that have been loaded so far.
 std::uint64_t memorySoFar(const Limits& limits) {
@@ -58,16 +61,19 @@ std::uint64_t memoryForMaterials(std::uint64_t materials, const Limits& limits) 
     return memorySoFar(limits) + materials * kBytesPerMaterial;
 }
 
-std::uint64_t memoryForAlphaMap(std::uint64_t texels, std::uint64_t fileBytes, const Limits& limits) {
+std::uint64_t memoryForImage(std::uint64_t texels, std::uint64_t fileBytes, const Limits& limits) {
     return memorySoFar(limits) + texels * kBytesPerTexelRead + fileBytes;
 }
 
 MemoryBudget memoryBudget(const Scene& scene, const Limits& limits) {
     Limits asLoaded = limits;
-    std::set<const AlphaMask*> masks;
-    for (const Material& material : scene.materials)
-        if (const AlphaMask* mask = material.alphaMask.get(); mask && masks.insert(mask).second)
-            asLoaded.texels += mask->texels().size();
+    std::set<const void*> counted;
+    for (const Material& material : scene.materials) {
+        if (const AlphaMask* mask = material.alphaMask.get(); mask && counted.insert(mask).second)
+            asLoaded.texels += texelsOf(mask->size());
+        if (const ColorImage* image = material.colorImage.get(); image && counted.insert(image).second)
+            asLoaded.texels += texelsOf(image->size());
+    }
     return {memoryForTriangles(triangleCount(scene), asLoaded), limits.memoryBytes};
 }
 

@@ -3,95 +3,53 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <string>
-#include <string_view>
 
-#include "techniques/foundation/base/error.h"
-#include "techniques/foundation/image/output_file.h"
-#include "techniques/foundation/image/png/png.h"
-#include "techniques/foundation/scene/load/file_access.h"
-#include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::scene {
 
 namespace {
 
-/// Is this texel solid? Alpha of at least one half of 255, or that much brightness; in whole numbers.
-bool isSolid(const image::Color8& texel, bool hasAlpha) {
-    if (hasAlpha) return 2 * texel.a >= 255;
-    return 2 * (2126 * texel.r + 7152 * texel.g + 722 * texel.b) >= 255 * 10000;
+/// Does the chosen number of this texel, of 0 to 1, make it solid?
+bool isSolid(const image::Color8& texel, bool hasAlpha, const MaskChoice& choice) {
+    using enum MaskChoice::Channel;
+    const auto numberOf = [&](MaskChoice::Channel channel) {
+        switch (channel) {
+        case red: return 10000 * texel.r;
+        case green: return 10000 * texel.g;
+        case blue: return 10000 * texel.b;
+        case alpha: return 10000 * texel.a;
+        default: return 2126 * texel.r + 7152 * texel.g + 722 * texel.b;
+        }
+    };
+    const int number = numberOf(choice.channel != alphaOrBrightness ? choice.channel : hasAlpha ? alpha : brightness);
+    constexpr int kOne = 255 * 10000; // whole numbers as long as nothing is scaled: exactly one half is solid
+    if (choice.base == 0 && choice.gain == 1) return 2 * number >= kOne;
+    return choice.base + choice.gain * number / kOne >= 0.5;
 }
 
 /// 0 .. count - 1: in which of `count` equal pieces of the image the coordinate lies.
-int pieceOf(double coordinate, int count) {
-    const double within = coordinate - std::floor(coordinate);
+int pieceOf(double coordinate, int count, bool clamped) {
+    const double within = clamped ? std::clamp(coordinate, 0.0, 1.0) : coordinate - std::floor(coordinate);
     // Just below a whole number the difference rounds up to 1; that is the last piece, not the first.
     return std::min(static_cast<int>(within * count), count - 1);
 }
 
-/// Reads a PNG without a name; removes the colon after the empty name from an error message.
-template <typename Read>
-auto nameless(const Read& read) {
-    try {
-        return read();
-    } catch (const Error& error) {
-        constexpr std::size_t kAfterColon = 2; // ": not a readable PNG ..."
-        throw Error(error.status(),
-                    std::string(error.what()).substr(kAfterColon) +
-                        (error.status() == ExitStatus::overLimit ? ", or set --limit image-side=VALUE" : ""));
-    }
-}
-
-/// Before anything is allocated for the pixels. A file of some kilobytes may unpack to gigabytes.
-void requireMemoryForMask(const image::PngSize& size, std::uint64_t fileBytes, const Limits& limits) {
-    const std::uint64_t texels = std::uint64_t{size.width} * size.height;
-    if (const std::uint64_t needed = memoryForAlphaMap(texels, fileBytes, limits); needed > limits.memoryBytes)
-        throw Error(ExitStatus::overLimit, std::to_string(size.width) + " x " + std::to_string(size.height) +
-                                               " pixels, for which " + beyondMemory(needed, limits.memoryBytes) +
-                                               "; scale it down, or set --limit memory=VALUE");
-}
-
 } // namespace
 
-AlphaMask::AlphaMask(const image::DecodedPng& png) : size_(png.image.width, png.image.height) {
+AlphaMask::AlphaMask(const image::PictureFile& picture, const MaskChoice& choice)
+    : size_(picture.image.width, picture.image.height) {
     texels_.reserve(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y));
     for (int y = size_.y; y-- > 0;)
         for (int x = 0; x < size_.x; ++x)
-            texels_.push_back(isSolid(png.image.at(x, y), png.hasAlpha) ? 255 : 0);
+            texels_.push_back(isSolid(picture.image.at(x, y), picture.hasAlpha, choice) ? 255 : 0);
 }
 
-bool AlphaMask::isHole(dvec2 texcoord) const {
-    const int column = pieceOf(texcoord.x, size_.x), row = pieceOf(texcoord.y, size_.y);
+bool AlphaMask::isHole(const dvec2& place, bool clamped) const {
+    const int column = pieceOf(place.x, size_.x, clamped), row = pieceOf(place.y, size_.y, clamped);
     return texels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(size_.x) +
                    static_cast<std::size_t>(column)] == 0;
-}
-
-std::shared_ptr<const AlphaMask> AlphaMasks::load(const std::filesystem::path& canonical, const Limits& limits) {
-    if (const auto found = known_.find(canonical); found != known_.end()) return found->second;
-    if (const auto found = failed_.find(canonical); found != failed_.end()) throw found->second;
-    image::keepInput(canonical); // also if it cannot be read: it is still an input
-    try {
-        return known_[canonical] = read(canonical, limits);
-    } catch (const Error& error) {
-        failed_.emplace(canonical, error);
-        throw;
-    }
-}
-
-std::shared_ptr<const AlphaMask> AlphaMasks::read(const std::filesystem::path& canonical, const Limits& limits) {
-    const std::string text = readFile(canonical, limits.imageFileBytes, "image-file");
-    const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-    const image::PngLimits pngLimits{.side = limits.imageSide, .fileBytes = limits.imageFileBytes, .withTexts = false};
-    constexpr std::string_view kNoName;
-    Limits soFar = limits;
-    soFar.texels += texels_;
-    requireMemoryForMask(nameless([&] { return image::pngSize(bytes, kNoName, pngLimits); }), bytes.size(), soFar);
-    auto mask =
-        std::make_shared<const AlphaMask>(nameless([&] { return image::decodePng(bytes, kNoName, pngLimits); }));
-    texels_ += mask->texels().size();
-    return mask;
 }
 
 const AlphaMask* maskOfPart(const Scene& scene, const Object& object, std::size_t part) {
@@ -107,14 +65,15 @@ bool hasHoles(const Scene& scene, const Object& object) {
 
 bool isInHole(const Scene& scene, const Object& object, std::uint32_t triangle, const dvec3& barycentric) {
     const Mesh& mesh = *object.mesh;
-    const auto after = std::ranges::upper_bound(mesh.parts, triangle, {}, &MeshPart::firstTriangle);
-    const AlphaMask* mask = maskOfPart(scene, object, static_cast<std::size_t>(after - mesh.parts.begin() - 1));
+    const std::size_t part = partOf(mesh, triangle);
+    const AlphaMask* mask = maskOfPart(scene, object, part);
     if (!mask) return false;
     const uvec3& corners = mesh.triangles[triangle];
     dvec2 texcoord(0.0);
     for (int corner = 0; corner < 3; ++corner)
         texcoord += barycentric[corner] * dvec2(mesh.texcoords[corners[corner]]);
-    return mask->isHole(texcoord);
+    const ImagePlacement& placement = scene.materials[object.partMaterials[part]].alphaPlacement;
+    return mask->isHole(placement.at(texcoord), placement.clamped);
 }
 
 std::string noteOnWholePart(const Material& material, const MeshPart& part) {

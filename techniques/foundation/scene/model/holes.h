@@ -7,30 +7,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
-#include <filesystem>
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/image/picture_file.h"
 #include "techniques/foundation/math/types.h"
 #include "techniques/foundation/scene/model/scene.h"
 
-namespace shadowlab::image {
-struct DecodedPng;
-}
-
 namespace shadowlab::scene {
 
-struct Limits;
+/// Which number of a texel says whether it is solid: options -imfchan and -mm of MTL files.
+struct MaskChoice {
+    enum class Channel { alphaOrBrightness, red, green, blue, alpha, brightness } channel = Channel::alphaOrBrightness;
+    double base = 0.0, gain = 1.0; ///< the number becomes base + gain times it, of 0 to 1
+    friend auto operator<=>(const MaskChoice&, const MaskChoice&) = default;
+};
 
 class AlphaMask {
 public:
-    /// The image's alpha where it has any, else its brightness (0.2126 R + 0.7152 G + 0.0722 B of the stored numbers).
-    explicit AlphaMask(const image::DecodedPng& png);
+    /// Where nothing else is chosen: the image's alpha if it has any, else its brightness (0.2126 R + 0.7152 G + 0.0722 B of the
+    /// stored numbers).
+    explicit AlphaMask(const image::PictureFile& picture, const MaskChoice& choice = {});
 
-    [[nodiscard]] bool isHole(dvec2 texcoord) const;
+    /// `place`: see ImagePlacement.
+    [[nodiscard]] bool isHole(const dvec2& place, bool clamped) const;
     [[nodiscard]] ivec2 size() const { return size_; }
     /// One byte per texel, 255 solid and 0 hole, rows from the bottom: as OpenGL counts them.
     [[nodiscard]] const std::vector<std::uint8_t>& texels() const { return texels_; }
@@ -38,22 +38,6 @@ public:
 private:
     ivec2 size_;
     std::vector<std::uint8_t> texels_;
-};
-
-/// Reads masks, each file once.
-class AlphaMasks {
-public:
-    /// `limits.texels` is the number of texels that other masks have used. Throws Error (badInput, overLimit): "not a
-    /// readable PNG: ...; save it again", without the file's name, which the caller knows as the user wrote it.
-    std::shared_ptr<const AlphaMask> load(const std::filesystem::path& canonical, const Limits& limits);
-
-private:
-    std::shared_ptr<const AlphaMask> read(const std::filesystem::path& canonical, const Limits& limits);
-
-    std::map<std::filesystem::path, std::shared_ptr<const AlphaMask>> known_;
-    std::map<std::filesystem::path, Error>
-        failed_;               ///< the errors of files that are no masks; many materials may name one file
-    std::uint64_t texels_ = 0; ///< of them all
 };
 
 /// The mask that cuts holes into a part of the object's mesh; nullptr: the part is whole.

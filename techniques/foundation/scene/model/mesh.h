@@ -27,10 +27,14 @@ struct Mesh {
     std::vector<vec3> positionsMesh;    ///< one per vertex; equal positions have equal bits
     std::vector<vec3> normalsMesh;      ///< shading normals, unit, one per vertex
     std::vector<vec2> texcoords;        ///< (u, v) of an image laid on the mesh, one per vertex; empty: no part has any
+    std::vector<vec3> colors;           ///< linear RGB, one per vertex; empty: the file has none
     std::vector<uvec3> triangles;       ///< vertex indices, counter-clockwise seen from the front
     std::vector<MeshPart> parts;        ///< in order, covering all triangles
     std::uint32_t droppedTriangles = 0; ///< degenerate triangles of the source that were left out
     bool outward = false; ///< from outside, every back face is hidden by a front face (outward_parts.h); else not known
 };
+
+/// Index of the part that a triangle belongs to.
+std::size_t partOf(const Mesh& mesh, std::uint32_t triangle);
 
 } // namespace shadowlab::scene

@@ -23,7 +23,7 @@ vec3 unitOr(const dvec3& v, const vec3& fallback) {
 }
 
 /// One vertex per corner, with the normal that `normalOf(triangle, corner)` gives; equal ones are merged. Texture
-/// coordinates stay as they are.
+/// coordinates and colours stay as they are.
 template <typename NormalOf>
 Mesh rebuilt(const Mesh& mesh, const NormalOf& normalOf) {
     Mesh result = mesh;
@@ -31,13 +31,16 @@ Mesh rebuilt(const Mesh& mesh, const NormalOf& normalOf) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (int corner = 0; corner < 3; ++corner) {
             const std::uint32_t vertex = mesh.triangles[t][corner];
-            const vec2 texcoord = mesh.texcoords.empty() ? vec2(0.0f) : mesh.texcoords[vertex];
             result.triangles[t][corner] =
-                welder.index(mesh.positionsMesh[vertex] + vec3(0.0f), normalOf(t, corner), texcoord);
+                welder.index({.position = mesh.positionsMesh[vertex] + vec3(0.0f),
+                              .normal = normalOf(t, corner),
+                              .texcoord = mesh.texcoords.empty() ? vec2(0.0f) : mesh.texcoords[vertex],
+                              .color = mesh.colors.empty() ? vec3(0.0f) : mesh.colors[vertex]});
         }
-    result.positionsMesh = welder.takePositions();
-    result.normalsMesh = welder.takeNormals();
-    if (!mesh.texcoords.empty()) result.texcoords = welder.takeTexcoords();
+    result.positionsMesh = welder.of(&Vertex::position);
+    result.normalsMesh = welder.of(&Vertex::normal);
+    if (!mesh.texcoords.empty()) result.texcoords = welder.of(&Vertex::texcoord);
+    if (!mesh.colors.empty()) result.colors = welder.of(&Vertex::color);
     return result;
 }
 
@@ -51,7 +54,7 @@ Mesh withSmoothNormals(const Mesh& mesh) {
     VertexWelder byPosition(mesh.positionsMesh.size());
     std::vector<std::uint32_t> place(mesh.positionsMesh.size());
     for (std::size_t i = 0; i < place.size(); ++i)
-        place[i] = byPosition.index(mesh.positionsMesh[i] + vec3(0.0f), vec3(0.0f));
+        place[i] = byPosition.index({.position = mesh.positionsMesh[i] + vec3(0.0f)});
 
     // The area vector of a triangle is already weighted by its area.
     std::vector<dvec3> sums(place.size(), dvec3(0.0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/model/scene.h"
 
+#include <algorithm>
 #include <atomic>
 
 namespace shadowlab::scene {
@@ -8,6 +9,11 @@ namespace shadowlab::scene {
 std::uint64_t newRevision() {
     static std::atomic<std::uint64_t> last = 0;
     return ++last;
+}
+
+std::size_t partOf(const Mesh& mesh, std::uint32_t triangle) {
+    const auto after = std::ranges::upper_bound(mesh.parts, triangle, {}, &MeshPart::firstTriangle);
+    return static_cast<std::size_t>(after - mesh.parts.begin() - 1);
 }
 
 dmat4 worldFromMesh(const Object& object) {

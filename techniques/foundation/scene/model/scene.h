@@ -10,12 +10,14 @@
 
 #include "techniques/foundation/math/types.h"
 #include "techniques/foundation/scene/model/camera.h"
+#include "techniques/foundation/scene/model/image_placement.h"
 #include "techniques/foundation/scene/model/light.h"
 #include "techniques/foundation/scene/model/mesh.h"
 
 namespace shadowlab::scene {
 
 class AlphaMask;
+class ColorImage;
 
 /// Colours are linear RGB. The lower half only matters to ray tracing and radiosity.
 struct Material {
@@ -32,7 +34,11 @@ struct Material {
     double translucencyDegrees = 0.0;
     std::string alphaMap;                       ///< resolved path of the image that cuts holes; empty: none
     std::shared_ptr<const AlphaMask> alphaMask; ///< the mask from alphaMap; null exactly if that is empty
-    bool ofMesh = false;                        ///< it comes with a mesh file, and not from the scene's own list
+    ImagePlacement alphaPlacement;
+    std::string diffuseMap;                       ///< resolved path of the image that `diffuse` is multiplied with; empty: none
+    std::shared_ptr<const ColorImage> colorImage; ///< the image from diffuseMap; null exactly if that is empty
+    ImagePlacement colorPlacement;
+    bool ofMesh = false; ///< it comes with a mesh file, and not from the scene's own list
 };
 
 /// Where an object comes from, so that it can be written to a scene file (write_scene.h).

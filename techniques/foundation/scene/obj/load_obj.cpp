@@ -11,6 +11,21 @@ namespace shadowlab::scene {
 
 namespace {
 
+/// A part without a material of its own would be drawn in grey, and hide the colours of its vertices: it gets a white one.
+void giveColoredPartsMaterials(ObjFile& obj) {
+    if (obj.mesh.colors.empty()) return;
+    const MaterialsByName known = materialsByName(obj.materials);
+    std::vector<Material> added;
+    for (MeshPart& part : obj.mesh.parts) {
+        if (!part.materialName.empty() && known.contains(part.materialName)) continue;
+        if (part.materialName.empty()) part.materialName = "vertex colours";
+        Material& material = added.emplace_back();
+        material.name = part.materialName;
+        material.diffuse = vec3(1.0f);
+    }
+    obj.materials.insert(obj.materials.end(), added.begin(), added.end());
+}
+
 /// Notes on the mesh: the user should know about these faults, but need not fix them.
 void addNotes(const ObjScan& scan, const std::filesystem::path& file, ObjFile& obj) {
     const std::string name = shownPath(file);
@@ -20,6 +35,8 @@ void addNotes(const ObjScan& scan, const std::filesystem::path& file, ObjFile& o
         obj.notes.push_back(name + ":" + std::to_string(scan.unusableNormalLine) + ": " +
                             counted(scan.unusableNormals, "normal") +
                             " (vn) without a direction; flat normals are used there");
+    if (scan.colorsInBytes > 0)
+        obj.notes.push_back(name + ":" + std::to_string(scan.colorsInBytes) + ": vertex colours above 1 are taken to count to 255");
     const MaterialsByName known = materialsByName(obj.materials);
     for (const MeshPart& part : obj.mesh.parts)
         if (const auto found = known.find(part.materialName); found != known.end())
@@ -73,6 +90,7 @@ ObjFile loadObj(const std::filesystem::path& file, NormalMode mode, const LoadOp
     if (mode != NormalMode::file) obj.mesh = withNormals(obj.mesh, mode);
     obj.materials = std::move(faces.materials);
     obj.notes = std::move(faces.notes);
+    giveColoredPartsMaterials(obj);
     addNotes(scan, file, obj);
     return obj;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "techniques/foundation/scene/load/message_text.h"
@@ -26,15 +27,10 @@ constexpr std::array kStatements{
     NumberStatement{"Ke", 3, 0.0, 1e6},  // radiance; a million times white is brighter than any lamp
     NumberStatement{"Ns", 1, 0.0, 1e6},  // as for shininess in scene files
     NumberStatement{"Ni", 1, 0.1, 10.0}, // as for ior in scene files
-    NumberStatement{"d", 1, 0.0, 1.0},   NumberStatement{"Tr", 1, 0.0, 1.0}};
-
-/// map_Kd, map_Ks ...: pictures in place of numbers that are read.
-bool isMapOfNumbers(std::string_view keyword) {
-    constexpr std::string_view kPrefix = "map_";
-    return keyword.starts_with(kPrefix) && keyword != "map_d" &&
-           std::ranges::find(kStatements, keyword.substr(kPrefix.size()), &NumberStatement::keyword) !=
-               kStatements.end();
-}
+    NumberStatement{"d", 1, 0.0, 1.0},   NumberStatement{"Tr", 1, 0.0, 1.0},
+    NumberStatement{"Tf", 3, 0.0, 1.0},  NumberStatement{"Pm", 1, 0.0, 1.0},
+    NumberStatement{"Pr", 1, 0.0, 1.0},  NumberStatement{"Ka", 3, 0.0, 1.0},
+    NumberStatement{"illum", 1, 0.0, 10.0}};
 
 class Cleaner {
 public:
@@ -47,15 +43,16 @@ public:
             const auto statement = std::ranges::find(kStatements, keyword, &NumberStatement::keyword);
             if (keyword == "newmtl")
                 newMaterial();
-            else if (isMapOfNumbers(keyword))
-                ignore(keyword + " is not supported and ignored");
-            else if (!inMaterial_ && (statement != kStatements.end() || keyword == "map_d"))
+            else if (statement == kStatements.end() && keyword != "map_d" && keyword != "map_Kd")
+                ignore(shown(keyword, 40) + " is not supported and ignored");
+            else if (!inMaterial_)
                 ignore(keyword + " stands before the first newmtl and is ignored");
             else if (statement != kStatements.end())
                 numbers(*statement);
-            else if (keyword == "map_d")
-                alphaMap();
+            else
+                map(keyword);
         }
+        endMaterial();
         if (clamped_ > 0)
             notes.push_back(lines_.place(firstClampedLine_) + ": " + firstClamped_ +
                             (clamped_ > 1 ? " (and " + counted(clamped_ - 1, "more value") + ")" : ""));
@@ -75,15 +72,18 @@ private:
         std::size_t firstLine, count;
     };
 
-    void ignore(const std::string& what) {
+    void ignore(const std::string& what) { ignore(what, lines_.line()); }
+
+    void ignore(const std::string& what, std::size_t line) {
         const auto known = std::ranges::find(ignored_, what, &Ignored::what);
         if (known == ignored_.end())
-            ignored_.push_back({what, lines_.line(), 1});
+            ignored_.push_back({what, line, 1});
         else
             ++known->count;
     }
 
     void newMaterial() {
+        endMaterial();
         const std::string name(lines_.restOfLine());
         if (name.empty()) lines_.fail("newmtl without a name; write one after it");
         isDefinition_ = names_.insert(name).second;
@@ -92,15 +92,52 @@ private:
             repeatedLine_ = lines_.line();
         }
         inMaterial_ = true;
+        materialLine_ = lines_.line();
+        statements_ = {};
+        diffuse_ = ambient_ = {};
         material_ = name;
         // Defaults first: a later statement of the file replaces them. 0.8 is the scene's default grey.
         result_.text += "newmtl " + std::to_string(result_.names.size()) + "\nKd 0.8 0.8 0.8\nNs 32\nNi 1.5\n";
         result_.names.push_back(name);
     }
 
-    void alphaMap() {
-        result_.text += "map_d " + std::string(lines_.restOfLine()) + "\n";
-        if (isDefinition_) result_.alphaMapPlaces.insert_or_assign(material_, lines_.place(lines_.line()));
+    /// What can be judged only when all statements of a material are known.
+    void endMaterial() {
+        if (!inMaterial_) return;
+        if (ambient_ && *ambient_ != diffuse_.value_or(dvec3(0.8)))
+            ignore("Ka is not supported and ignored; ambient light is reflected as Kd says", materialLine_);
+        if (statements_.see == 1.0 && !statements_.opacity)
+            ignore("Tr 1 makes material '" + shown(material_) + "' wholly transparent, which ray tracing alone shows; if it is opaque, write d 1",
+                   materialLine_);
+        if (const auto& Tf = statements_.transmission; Tf && (Tf->x != Tf->y || Tf->y != Tf->z))
+            ignore("the colours of Tf are not supported; its mean is used", materialLine_);
+        if (isDefinition_) result_.more.try_emplace(material_, std::move(statements_));
+    }
+
+    void map(const std::string& keyword) {
+        MtlMap parsed = parseMtlMap(lines_.restOfLine());
+        parsed.place = lines_.place(lines_.line());
+        for (const std::string& option : parsed.ignored)
+            ignore("option " + option + " of " + keyword + " is not supported and ignored");
+        if (parsed.file.empty()) return ignore(keyword + " names no image and is ignored");
+        (keyword == "map_d" ? statements_.alphaMap : statements_.diffuseMap) = std::move(parsed);
+    }
+
+    /// What tinyobjloader does not tell from what was left out.
+    void keep(std::string_view keyword, const std::array<double, 3>& values) {
+        const dvec3 color(values[0], values[1], values[2]);
+        if (keyword == "Kd") diffuse_ = color, statements_.hasDiffuse = true;
+        if (keyword == "Ka") ambient_ = color;
+        if (keyword == "Ns") statements_.hasShininess = true;
+        if (keyword == "Tf") statements_.transmission = color;
+        if (keyword == "Pm") statements_.metallic = values[0];
+        if (keyword == "Pr") statements_.roughness = values[0];
+        if (keyword == "d") statements_.opacity = values[0];
+        if (keyword == "Tr") statements_.see = values[0];
+        if (keyword != "illum") return;
+        statements_.illum = static_cast<int>(values[0]);
+        if (statements_.illum == 0 || *statements_.illum >= 8)
+            ignore("illum " + std::to_string(*statements_.illum) + " is not supported; the material is drawn as illum 2");
     }
 
     void numbers(const NumberStatement& statement) {
@@ -121,6 +158,7 @@ private:
         // One number for a colour means grey.
         if (count < statement.count) values[1] = count < 2 ? values[0] : values[1];
         if (count < statement.count && statement.count == 3) values[2] = values[0];
+        keep(statement.keyword, values);
         result_.text += statement.keyword;
         for (std::size_t i = 0; i < statement.count; ++i)
             result_.text.append(1, ' ').append(numberText(values[i]));
@@ -141,6 +179,9 @@ private:
     CleanMtl result_;
     bool inMaterial_ = false, isDefinition_ = false; ///< of a name's definitions, the first one counts
     std::string material_;
+    std::size_t materialLine_ = 0;
+    MtlStatements statements_; ///< of the material
+    std::optional<dvec3> diffuse_, ambient_;
     std::set<std::string> names_;
     std::size_t clamped_ = 0, firstClampedLine_ = 0, repeatedLine_ = 0;
     std::string firstClamped_, repeated_;

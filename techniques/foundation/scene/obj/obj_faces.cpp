@@ -16,8 +16,8 @@
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/scene/load/file_access.h"
+#include "techniques/foundation/scene/load/image_files.h"
 #include "techniques/foundation/scene/load/message_text.h"
-#include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/obj/mtl_clean.h"
 
 namespace shadowlab::scene {
@@ -62,16 +62,17 @@ public:
             for (std::size_t i = before; i < materials->size(); ++i)
                 if (std::string& numbered = (*materials)[i].name; !numbered.empty())
                     numbered = clean.names.at(std::stoul(numbered));
-            alphaMapPlaces_.merge(clean.alphaMapPlaces); // as for the materials, the first library to define one counts
+            more_.merge(clean.more); // as for the materials, the first library to define one counts
             found = true;
         }
         return found;
     }
 
-    /// "FILE:LINE: " of a material's map_d.
-    [[nodiscard]] std::string alphaMapPlace(const std::string& material) const {
-        const auto found = alphaMapPlaces_.find(material);
-        return found == alphaMapPlaces_.end() ? "" : found->second + ": ";
+    /// What a material's statements say beyond its numbers.
+    [[nodiscard]] const MtlStatements& more(const std::string& material) const {
+        static const MtlStatements none;
+        const auto found = more_.find(material);
+        return found == more_.end() ? none : found->second;
     }
 
 private:
@@ -113,7 +114,7 @@ private:
     AllowedFolders folders_;
     std::set<std::filesystem::path> read_; ///< canonical
     std::uint64_t materials_ = 0;          ///< of them all
-    std::map<std::string, std::string> alphaMapPlaces_;
+    std::map<std::string, MtlStatements> more_;
     std::vector<std::string>& notes_;
 };
 
@@ -160,38 +161,63 @@ struct Collector {
 
 vec3 color(const tinyobj::real_t (&rgb)[3]) { return {dvec3(rgb[0], rgb[1], rgb[2])}; }
 
-Material converted(const tinyobj::material_t& mtl) {
+Material converted(const tinyobj::material_t& mtl, const MtlStatements& more) {
     Material material;
     material.name = mtl.name;
-    material.diffuse = color(mtl.diffuse);
+    // An image alone is the colour; beside a Kd it is multiplied with it. Black would hide the image, and is what some programs write.
+    material.diffuse = more.diffuseMap && (!more.hasDiffuse || color(mtl.diffuse) == vec3(0)) ? vec3(1.0f) : color(mtl.diffuse);
     material.specular = color(mtl.specular);
     material.shininess = static_cast<float>(mtl.shininess);
     material.emission = color(mtl.emission);
     material.transparency = std::clamp(1.0 - mtl.dissolve, 0.0, 1.0);
     material.ior = mtl.ior;
+    applyOptics(more, material);
     return material;
 }
 
-/// map_d: kept if it can be read. Otherwise a note is made and the material has no mask, because the mesh is usable without
-/// it.
-void readMtlAlphaMap(const tinyobj::material_t& mtl, const std::string& place, Material& material,
-                     const AllowedFolders& folders, AlphaMasks& masks, const Limits& limits,
-                     std::vector<std::string>& notes) {
-    if (mtl.alpha_texname.empty()) return;
-    const auto ignore = [&](const std::string& why) {
-        notes.push_back(place + "material '" + shown(mtl.name) + "': map_d \"" + shown(mtl.alpha_texname) + "\" " +
-                        why);
-    };
-    const auto path = folders.resolve(mtl.alpha_texname);
-    if (!path) return ignore("is ignored: it " + std::string(kOutsideMessage));
-    if (const std::string fault = whyUnreadable(*path); !fault.empty()) return ignore("is ignored: it " + fault);
-    try {
-        material.alphaMask = masks.load(*path, limits);
-        material.alphaMap = path->string();
-    } catch (const Error& error) {
-        ignore("is ignored: " + std::string(error.what()));
+/// Reads the images that materials name. One that cannot be read is a note, and the material has none: the mesh is usable without it.
+class MtlImages {
+public:
+    MtlImages(const AllowedFolders& folders, const Limits& limits, std::vector<std::string>& notes)
+        : folders_(folders), limits_(limits), notes_(notes) {}
+
+    void read(const MtlStatements& statements, Material& material) {
+        if (const auto& map = statements.alphaMap) {
+            const MaskChoice choice{map->channel, map->base, map->gain};
+            material.alphaPlacement = map->placement;
+            make("map_d", *map, material, material.alphaMap,
+                 [&](const auto& path) { material.alphaMask = files_.mask(path, choice, limits_); });
+        }
+        if (const auto& map = statements.diffuseMap) {
+            material.colorPlacement = map->placement;
+            make("map_Kd", *map, material, material.diffuseMap,
+                 [&](const auto& path) { material.colorImage = files_.colors(path, {map->base, map->gain}, limits_); });
+        }
     }
-}
+
+private:
+    template <typename Make>
+    void make(const char* keyword, const MtlMap& map, const Material& material, std::string& path, const Make& makeFrom) {
+        const auto ignore = [&](const std::string& why) {
+            notes_.push_back(map.place + ": material '" + shown(material.name) + "': " + keyword + " \"" + shown(map.file) +
+                             "\" is ignored: " + why);
+        };
+        const auto resolved = folders_.resolve(map.file);
+        if (!resolved) return ignore("it " + std::string(kOutsideMessage));
+        if (const std::string fault = whyUnreadable(*resolved); !fault.empty()) return ignore("it " + fault);
+        try {
+            makeFrom(*resolved);
+            path = resolved->string();
+        } catch (const Error& error) {
+            ignore(error.what());
+        }
+    }
+
+    const AllowedFolders& folders_;
+    const Limits& limits_;
+    std::vector<std::string>& notes_;
+    ImageFiles files_;
+};
 
 /// One note for all materials that usemtl names and no library defines.
 void noteUnknownMaterials(const ObjScan& scan, const std::filesystem::path& file,
@@ -227,14 +253,14 @@ ObjFaces readFaces(ObjScan& scan, const std::filesystem::path& file, const LoadO
                                               "; export the mesh again");
 
     const AllowedFolders folders(file, options);
-    AlphaMasks masks;
+    MtlImages images(folders, options.limits, collector.faces.notes);
     std::unordered_set<std::string> known;
     for (const tinyobj::material_t& mtl : collector.materials) {
         if (mtl.name.empty() || !known.insert(mtl.name).second)
             continue; // LoadMtl adds a nameless one for an empty file
-        collector.faces.materials.push_back(converted(mtl));
-        readMtlAlphaMap(mtl, materialReader.alphaMapPlace(mtl.name), collector.faces.materials.back(), folders, masks,
-                        options.limits, collector.faces.notes);
+        const MtlStatements& more = materialReader.more(mtl.name);
+        collector.faces.materials.push_back(converted(mtl, more));
+        images.read(more, collector.faces.materials.back());
     }
     noteUnknownMaterials(scan, file, known, collector.faces);
     return std::move(collector.faces);

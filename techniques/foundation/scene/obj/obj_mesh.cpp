@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "techniques/foundation/scene/obj/polygon_triangulation.h"
+#include "techniques/foundation/scene/obj/smoothing_groups.h"
 #include "techniques/foundation/scene/obj/vertex_welder.h"
 
 namespace shadowlab::scene {
@@ -14,7 +15,7 @@ namespace {
 
 struct CornerTriangle {
     std::array<std::uint32_t, 3> corners; ///< indices into ObjFaces::corners
-    std::uint32_t material;
+    std::uint32_t material, group;
     bool hasTexcoords; ///< at all three corners
 };
 
@@ -47,6 +48,10 @@ dvec3 areaVectorOf(const vec3& a, const vec3& b, const vec3& c) {
     return glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
 }
 
+std::uint32_t groupOf(const ObjScan& scan, std::size_t face) {
+    return scan.smoothingGroups.empty() ? 0 : scan.smoothingGroups[face];
+}
+
 /// All polygons split; triangles that have no area once rounded are counted, not kept.
 std::vector<CornerTriangle> split(const ObjScan& scan, const ObjFaces& faces, const std::vector<vec3>& rounded,
                                   std::uint32_t& dropped) {
@@ -68,7 +73,7 @@ std::vector<CornerTriangle> split(const ObjScan& scan, const ObjFaces& faces, co
                 ++dropped;
             else
                 result.push_back(
-                    {corners, faces.materialOf[face], std::ranges::all_of(corners, [&](std::uint32_t corner) {
+                    {corners, faces.materialOf[face], groupOf(scan, face), std::ranges::all_of(corners, [&](std::uint32_t corner) {
                          return hasTexcoord(scan, faces.corners[corner]);
                      })});
         }
@@ -120,24 +125,40 @@ Mesh buildMesh(const ObjScan& scan, const ObjFaces& faces) {
     std::vector<CornerTriangle> triangles = split(scan, faces, rounded, mesh.droppedTriangles);
     mesh.parts = groupByMaterial(triangles, faces);
 
+    const auto areaVector = [&](const CornerTriangle& t) {
+        const auto at = [&](int i) { return rounded[faces.corners[t.corners[i]].position]; };
+        return areaVectorOf(at(0), at(1), at(2));
+    };
+    GroupNormals smooth(scan.smoothingGroups.empty() ? std::span<const vec3>() : std::span<const vec3>(rounded));
+    if (!scan.smoothingGroups.empty())
+        for (const CornerTriangle& triangle : triangles) {
+            std::array<std::uint32_t, 3> positions{};
+            for (std::size_t i = 0; i < 3; ++i)
+                positions[i] = faces.corners[triangle.corners[i]].position;
+            smooth.add(triangle.group, positions, areaVector(triangle));
+        }
+
     // Corners become vertices; equal corners share one.
     VertexWelder welder(3 * triangles.size());
     mesh.triangles.reserve(triangles.size());
     for (const CornerTriangle& triangle : triangles) {
-        const auto corner = [&](int i) -> const ObjCorner& { return faces.corners[triangle.corners[i]]; };
-        const auto position = [&](int i) { return rounded[corner(i).position]; };
-        const vec3 flat = vec3(glm::normalize(areaVectorOf(position(0), position(1), position(2)))) + vec3(0.0f);
+        const vec3 flat = vec3(glm::normalize(areaVector(triangle))) + vec3(0.0f);
         uvec3 vertices;
         for (int i = 0; i < 3; ++i) {
-            const vec3 given = corner(i).normal < 0 ? vec3(0.0f) : scan.normals[corner(i).normal];
-            const vec2 texcoord = triangle.hasTexcoords ? scan.texcoords[corner(i).texcoord] + vec2(0.0f) : vec2(0.0f);
-            vertices[i] = welder.index(position(i), given == vec3(0.0f) ? flat : given + vec3(0.0f), texcoord);
+            const ObjCorner& corner = faces.corners[triangle.corners[i]];
+            const vec3 given = corner.normal < 0 ? vec3(0.0f) : scan.normals[corner.normal] + vec3(0.0f);
+            vertices[i] = welder.index(
+                {.position = rounded[corner.position],
+                 .normal = given != vec3(0.0f) ? given : smooth.at(triangle.group, corner.position, flat),
+                 .texcoord = triangle.hasTexcoords ? scan.texcoords[corner.texcoord] + vec2(0.0f) : vec2(0.0f),
+                 .color = scan.colors.empty() ? vec3(0.0f) : scan.colors[corner.position]});
         }
         mesh.triangles.push_back(vertices);
     }
-    mesh.positionsMesh = welder.takePositions();
-    mesh.normalsMesh = welder.takeNormals();
-    if (std::ranges::any_of(mesh.parts, &MeshPart::hasTexcoords)) mesh.texcoords = welder.takeTexcoords();
+    mesh.positionsMesh = welder.of(&Vertex::position);
+    mesh.normalsMesh = welder.of(&Vertex::normal);
+    if (std::ranges::any_of(mesh.parts, &MeshPart::hasTexcoords)) mesh.texcoords = welder.of(&Vertex::texcoord);
+    if (!scan.colors.empty()) mesh.colors = welder.of(&Vertex::color);
     return mesh;
 }
 

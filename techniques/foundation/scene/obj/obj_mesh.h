@@ -6,7 +6,7 @@
 
 namespace shadowlab::scene {
 
-/// Normals as the file has them; a corner without one gets the flat normal of its triangle.
+/// Normals as the file has them; a corner without one gets that of its smoothing group, or of no group the flat one of its triangle.
 Mesh buildMesh(const ObjScan& scan, const ObjFaces& faces);
 
 /// The point that is subtracted from a mesh before rounding to float: zero unless the box lies so far out that float

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "techniques/foundation/image/image.h"
 #include "techniques/foundation/scene/load/message_text.h"
 #include "techniques/foundation/scene/obj/obj_indices.h"
 #include "techniques/foundation/scene/obj/statement_lines.h"
@@ -30,6 +31,9 @@ private:
     /// All numbers of the statement. NaN and infinity are let through for the caller to judge.
     std::size_t readNumbers(std::array<double, 8>& numbers);
     void position();
+    void color(const vec3& stored);
+    void smoothingGroup();
+    void scaleColors();
     void normal();
     void texcoord();
     void face();
@@ -47,6 +51,7 @@ private:
     std::vector<bool> normalUsed_;
     std::unordered_set<std::string> librariesSeen_, materialsSeen_;
     std::uint64_t faces_ = 0, triangles_ = 0;
+    std::uint32_t group_ = 0; ///< smoothing group of the next face
 };
 
 std::size_t Scanner::readNumbers(std::array<double, 8>& numbers) {
@@ -67,7 +72,7 @@ std::size_t Scanner::readNumbers(std::array<double, 8>& numbers) {
 void Scanner::position() {
     std::array<double, 8> numbers{};
     const std::size_t count = readNumbers(numbers);
-    // x y z, then w, or a colour r g b, or both: neither moves the vertex.
+    // x y z, then w, or a colour r g b, or both; w does not move the vertex.
     if (count != 3 && count != 4 && count != 6 && count != 7)
         lines_.fail("the vertex has " + counted(count, "number") + "; write x y z");
     for (std::size_t i = 0; i < count; ++i)
@@ -79,6 +84,32 @@ void Scanner::position() {
                         "; rescale the model");
     scan_.positions.emplace_back(numbers[0], numbers[1], numbers[2]);
     ++positions_.count;
+    if (count >= 6) color(vec3(dvec3(numbers[count - 3], numbers[count - 2], numbers[count - 1])));
+}
+
+/// Colours are kept as they stand until all are known: only then is it clear whether they count to 1 or to 255.
+void Scanner::color(const vec3& stored) {
+    constexpr vec3 kWhite(1.0f);
+    scan_.colors.resize(scan_.positions.size() - 1, kWhite); // vertices before this one had none
+    scan_.colors.push_back(stored);
+    if (scan_.colorsInBytes == 0 && glm::any(glm::greaterThan(stored, kWhite))) scan_.colorsInBytes = lines_.line();
+}
+
+void Scanner::scaleColors() {
+    if (scan_.colors.empty()) return;
+    const float most = scan_.colorsInBytes > 0 ? 255.0f : 1.0f;
+    for (vec3& color : scan_.colors)
+        for (int channel = 0; channel < 3; ++channel)
+            color[channel] = static_cast<float>(image::linearFromEncoded(std::clamp(color[channel] / most, 0.0f, 1.0f)));
+    scan_.colors.resize(scan_.positions.size(), vec3(1.0f));
+}
+
+/// `s 3`: the faces from here on belong to group 3. `s off`, `s 0` and `s` alone: to none. `s on` is what some programs write of one group.
+void Scanner::smoothingGroup() {
+    const std::string_view word = lines_.nextToken().value_or("off");
+    const double number = readNumber(word).value_or(word == "on" ? 1 : 0);
+    constexpr double kMost = 4294967295.0; // of 32 bits
+    group_ = number >= 1 && number <= kMost ? static_cast<std::uint32_t>(number) : 0;
 }
 
 void Scanner::normal() {
@@ -131,6 +162,8 @@ void Scanner::face() {
     }
     if (corners < 3) lines_.fail("the face has " + counted(corners, "corner") + "; a face needs at least 3");
     out += '\n';
+    if (group_ != 0) scan_.smoothingGroups.resize(faces_, 0); // faces before this one had none
+    if (group_ != 0 || !scan_.smoothingGroups.empty()) scan_.smoothingGroups.push_back(group_);
     ++faces_;
     triangles_ += corners - 2;
     if (triangles_ > limits_.triangles)
@@ -185,6 +218,8 @@ ObjScan Scanner::run() {
             normal();
         else if (keyword == "vt")
             texcoord();
+        else if (keyword == "s")
+            smoothingGroup();
         else if (keyword == "usemtl") {
             const std::string material(name("usemtl"));
             scan_.statements += "usemtl " + material + "\n";
@@ -195,10 +230,11 @@ ObjScan Scanner::run() {
             scan_.statements += "mtllib " + std::to_string(scan_.libraries.size()) + "\n";
             scan_.libraries.push_back({library, lines_.line()});
         }
-        // All other statements (o, g, s, l, p, vp, vw, curves ...) do not matter for shadows.
+        // All other statements (o, g, l, p, vp, vw, curves ...) do not matter for shadows.
     }
     checkEnd();
     noteUnusableNormals();
+    scaleColors();
     return std::move(scan_);
 }
 

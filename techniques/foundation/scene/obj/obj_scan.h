@@ -23,6 +23,9 @@ struct ObjScan {
     std::vector<dvec3> positions; ///< of the v lines, correctly rounded (tinyobjloader's numbers may be an ulp off)
     std::vector<vec3> normals;    ///< of the vn lines, unit; zero where the file's has no direction
     std::vector<vec2> texcoords;  ///< of the vt lines; not finite where the file's is not
+    std::vector<vec3> colors;     ///< linear RGB of the v lines; white where one has none, empty where none has any
+    std::vector<std::uint32_t> smoothingGroups; ///< for each face, 0 for none; empty where no face has one
+    std::size_t colorsInBytes = 0; ///< line of the first colour above 1, as scanners write them that count to 255; 0: none
     std::vector<ObjReference> libraries;     ///< what mtllib names, each once
     std::vector<ObjReference> usedMaterials; ///< what usemtl names, each once, in order
     /// The checked statements in the form tinyobjloader reads safely: `f` with absolute indices `v`, `v/vt`, `v//vn` or `v/vt/vn`,

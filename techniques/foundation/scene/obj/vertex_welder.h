@@ -1,4 +1,4 @@
-// Gives equal vertices one index: a hash table over the bits of position, normal and texture coordinate.
+// Gives equal vertices one index: a hash table over the bits of position, normal, texture coordinate and colour.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -10,6 +10,13 @@
 
 namespace shadowlab::scene {
 
+/// All that a mesh holds of a vertex.
+struct Vertex {
+    vec3 position{0.0f}, normal{0.0f};
+    vec2 texcoord{0.0f};
+    vec3 color{0.0f};
+};
+
 /// Vertices are equal when all their bits are; the caller has turned -0 into +0.
 /// Linear probing in a table that is at most half full: about ten times faster here than std::unordered_map.
 class VertexWelder {
@@ -18,11 +25,8 @@ public:
     explicit VertexWelder(std::size_t expected) : slots_(std::bit_ceil(2 * expected + 2), kEmpty) {}
 
     /// Index of the vertex, counted in the order of first appearance.
-    std::uint32_t index(const vec3& position, const vec3& normal, const vec2& texcoord = vec2(0.0f)) {
-        const Key key{std::bit_cast<std::uint32_t>(position.x), std::bit_cast<std::uint32_t>(position.y),
-                      std::bit_cast<std::uint32_t>(position.z), std::bit_cast<std::uint32_t>(normal.x),
-                      std::bit_cast<std::uint32_t>(normal.y),   std::bit_cast<std::uint32_t>(normal.z),
-                      std::bit_cast<std::uint32_t>(texcoord.x), std::bit_cast<std::uint32_t>(texcoord.y)};
+    std::uint32_t index(const Vertex& vertex) {
+        const Key key = std::bit_cast<Key>(vertex);
         std::size_t slot = hash(key) & (slots_.size() - 1);
         while (slots_[slot] != kEmpty) {
             if (keys_[slots_[slot]] == key) return slots_[slot];
@@ -30,18 +34,21 @@ public:
         }
         slots_[slot] = static_cast<std::uint32_t>(keys_.size());
         keys_.push_back(key);
-        positions_.push_back(position);
-        normals_.push_back(normal);
-        texcoords_.push_back(texcoord);
         return slots_[slot];
     }
 
-    [[nodiscard]] std::vector<vec3> takePositions() { return std::move(positions_); }
-    [[nodiscard]] std::vector<vec3> takeNormals() { return std::move(normals_); }
-    [[nodiscard]] std::vector<vec2> takeTexcoords() { return std::move(texcoords_); }
+    /// One of the members of all vertices, in their order: `of(&Vertex::position)`.
+    template <typename Member>
+    [[nodiscard]] std::vector<Member> of(Member Vertex::* member) const {
+        std::vector<Member> values;
+        values.reserve(keys_.size());
+        for (const Key& key : keys_)
+            values.push_back(std::bit_cast<Vertex>(key).*member);
+        return values;
+    }
 
 private:
-    using Key = std::array<std::uint32_t, 8>;
+    using Key = std::array<std::uint32_t, sizeof(Vertex) / sizeof(std::uint32_t)>;
     static constexpr std::uint32_t kEmpty = 0xffffffffu;
 
     static std::size_t hash(const Key& key) {
@@ -55,8 +62,6 @@ private:
 
     std::vector<std::uint32_t> slots_;
     std::vector<Key> keys_;
-    std::vector<vec3> positions_, normals_;
-    std::vector<vec2> texcoords_;
 };
 
 } // namespace shadowlab::scene

@@ -39,13 +39,17 @@ dvec3 irradiance(const Light& light, const dvec3& positionWorld, const dvec3& no
     return dvec3(light.color) * pointIntensity(light) * falloff;
 }
 
-dvec3 reflectance(const Material& material, const dvec3& normalWorld, const dvec3& toLightWorld, const dvec3& toEyeWorld) {
+dvec3 reflectance(const Material& material, const dvec3& diffuse, const dvec3& normalWorld, const dvec3& toLightWorld, const dvec3& toEyeWorld) {
     const double pi = glm::pi<double>(), s = material.shininess;
-    if (material.specular == vec3(0)) return dvec3(material.diffuse) / pi; // a power less for most
+    if (material.specular == vec3(0)) return diffuse / pi; // a power less for most
     const dvec3 halfwayWorld = glm::normalize(toLightWorld + toEyeWorld);
     const double cosHalfway = std::max(glm::dot(normalWorld, halfwayWorld), 0.0);
     const double lobe = (s + 8.0) / (8.0 * pi) * std::pow(cosHalfway, s);
-    return dvec3(material.diffuse) / pi + dvec3(material.specular) * lobe;
+    return diffuse / pi + dvec3(material.specular) * lobe;
+}
+
+dvec3 reflectance(const Material& material, const dvec3& normalWorld, const dvec3& toLightWorld, const dvec3& toEyeWorld) {
+    return reflectance(material, dvec3(material.diffuse), normalWorld, toLightWorld, toEyeWorld);
 }
 
 } // namespace shadowlab::scene

@@ -21,7 +21,10 @@ bool lightShinesTo(const Light& light, const dvec3& positionWorld);
 /// Irradiance of the unshadowed light on a surface with that unit normal, per colour: color * E.
 dvec3 irradiance(const Light& light, const dvec3& positionWorld, const dvec3& normalWorld);
 
-/// Radiance reflected toward the eye per unit irradiance; unit vectors, the normal on the viewer's side.
+/// Radiance reflected toward the eye per unit irradiance; unit vectors, the normal on the viewer's side. `diffuse`: of the material, or
+/// of the surface at that point where it has colours of its own (scene/model/surface_color.h).
+dvec3 reflectance(const Material& material, const dvec3& diffuse, const dvec3& normalWorld, const dvec3& toLightWorld, const dvec3& toEyeWorld);
+/// The same of a surface that has the material's colour all over.
 dvec3 reflectance(const Material& material, const dvec3& normalWorld, const dvec3& toLightWorld, const dvec3& toEyeWorld);
 
 } // namespace shadowlab::scene
