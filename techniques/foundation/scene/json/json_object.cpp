@@ -7,6 +7,7 @@
 
 #include "techniques/foundation/base/nearest_names.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/load/unusual_characters.h"
 
 namespace shadowlab::scene {
 
@@ -39,7 +40,9 @@ JsonObject::JsonObject(const JsonDocument& document, const JsonValue& value, std
     for (const JsonMember& member : value.members)
         if (std::ranges::find(known, member.key) == known.end()) {
             const std::vector<std::string> names(known.begin(), known.end());
-            document.fail(member.keyOffset, "unknown key " + inQuotes(member.key) + " in " + what_ + "; " +
+            const auto unusual = unusualCharacter(member.key);
+            document.fail(member.keyOffset, "unknown key " + inQuotes(member.key) + " in " + what_ +
+                                                (unusual ? ", with " + unusual->name : "") + "; " +
                                                 suggestion(member.key, names));
         }
 }
@@ -101,7 +104,7 @@ std::string JsonObject::text(std::string_view key, std::optional<std::string> fa
     // Names and paths end up in one-line messages and tables.
     for (const char c : value.string)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-            fail(key, "holds a control character; use printable text");
+            fail(key, "holds a control character; use printable text, and in a path / between folders");
     return value.string;
 }
 

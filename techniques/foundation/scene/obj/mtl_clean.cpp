@@ -8,6 +8,8 @@
 #include <set>
 
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/load/misnamed_files.h"
+#include "techniques/foundation/scene/load/unusual_characters.h"
 #include "techniques/foundation/scene/obj/statement_lines.h"
 
 namespace shadowlab::scene {
@@ -55,6 +57,8 @@ public:
                 numbers(*statement);
             else if (keyword == "map_d")
                 alphaMap();
+            else
+                refuseMisspelt(keyword);
         }
         if (clamped_ > 0)
             notes.push_back(lines_.place(firstClampedLine_) + ": " + firstClamped_ +
@@ -85,9 +89,9 @@ private:
 
     void newMaterial() {
         const std::string name(lines_.restOfLine());
-        if (name.empty()) lines_.fail("newmtl without a name; write one after it");
+        if (name.empty()) ignore("newmtl has no name; its material cannot be used");
         isDefinition_ = names_.insert(name).second;
-        if (!isDefinition_ && repeated_.empty()) {
+        if (!name.empty() && !isDefinition_ && repeated_.empty()) {
             repeated_ = name;
             repeatedLine_ = lines_.line();
         }
@@ -96,6 +100,16 @@ private:
         // Defaults first: a later statement of the file replaces them. 0.8 is the scene's default grey.
         result_.text += "newmtl " + std::to_string(result_.names.size()) + "\nKd 0.8 0.8 0.8\nNs 32\nNi 1.5\n";
         result_.names.push_back(name);
+    }
+
+    /// A newmtl that is not read as one would give its values to the material before it, and a no-break space hides any statement.
+    void refuseMisspelt(const std::string& keyword) const {
+        const std::string isNone = inQuotes(keyword, 40) + " is no statement of MTL";
+        const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+        if (const std::string_view plain = withoutOuterBlanks(keyword); !plain.empty() && isLetter(plain.front()))
+            if (const auto unusual = unusualCharacter(keyword))
+                lines_.fail(isNone + ": it holds " + unusual->name + "; " + unusual->remedy);
+        if (inSmallLetters(keyword) == "newmtl") lines_.fail(isNone + "; write newmtl in small letters");
     }
 
     void alphaMap() {
@@ -113,8 +127,8 @@ private:
             if (count == statement.count) break;
             const auto value = readNumber(*token);
             if (!value || !std::isfinite(*value))
-                lines_.fail(inQuotes(*token, 40) + " in " + std::string(statement.keyword) +
-                            " is not a finite number; write a number such as 0.8");
+                lines_.fail(inQuotes(*token, 40) + " in " + std::string(statement.keyword) + " is not a finite number" +
+                            (unusualCharacter(*token) ? unusualCharacterHint(*token) : "; write a number such as 0.8"));
             values[count++] = clamped(*value, statement);
         }
         if (count == 0) lines_.fail(std::string(statement.keyword) + " has no number; write one after it");
