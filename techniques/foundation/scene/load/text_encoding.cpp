@@ -21,10 +21,10 @@ ByteOrder guessedOrder(std::string_view bytes) {
     std::size_t nuls[2] = {0, 0};
     for (std::size_t i = 0; i < head.size(); ++i)
         nuls[i % 2] += head[i] == '\0' ? 1 : 0;
-    // A quarter of the pairs: a single NUL byte in an ASCII text is a fault and no encoding. One in sixteen on the other side are
+    // A quarter of the pairs: a single NUL byte in an ASCII text is a fault and no encoding. A quarter as many on the other side are
     // characters such as U+4E00, whose low byte is NUL.
     const auto isMostly = [&](std::size_t side) {
-        return 4 * nuls[side] >= head.size() / 2 && nuls[side] > 0 && 16 * nuls[1 - side] <= nuls[side];
+        return 4 * nuls[side] >= head.size() / 2 && nuls[side] > 0 && 4 * nuls[1 - side] <= nuls[side];
     };
     if (head.size() < 4) return ByteOrder::none; // too short for a verdict, and for any file that holds something
     return isMostly(1) ? ByteOrder::littleEndian : isMostly(0) ? ByteOrder::bigEndian : ByteOrder::none;

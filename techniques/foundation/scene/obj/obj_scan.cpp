@@ -183,7 +183,8 @@ void Scanner::checkEnd() {
     if (others_.isCloseFault()) others_.failAtFault(lines_);
     if (positions_.count == 0 && faces_ == 0)
         refuse("is not an OBJ file (it has no v or f lines); give a Wavefront OBJ");
-    if (faces_ == 0) refuse("the file has no faces (f lines); export the mesh with its faces");
+    if (faces_ == 0)
+        refuse("the file has no faces (f lines)" + others_.firstUndrawn() + "; export the mesh with its faces");
 }
 
 void Scanner::noteUnusableNormals() {

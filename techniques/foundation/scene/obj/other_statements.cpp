@@ -53,12 +53,14 @@ std::string plainKeyword(std::string_view keyword) {
     std::string plain;
     for (std::string_view rest = keyword; !rest.empty();) {
         const std::size_t length = sequenceLength(rest);
-        char32_t c = length == 0 ? U'\0' : codePoint(rest.substr(0, length));
-        if (c >= 0xff01 && c <= 0xff5e) c = c - 0xff01 + '!';
+        const std::string_view character = rest.substr(0, std::max<std::size_t>(length, 1));
+        char32_t c = length == 0 ? U'\0' : codePoint(character);
+        const bool isFullWidth = c >= 0xff01 && c <= 0xff5e;
+        if (isFullWidth) c = c - 0xff01 + '!';
         const bool isSkipped = plain.empty() && (c <= ' ' || c == 0x7f || c == '"' || c == '\'' ||
-                                                 unusualCharacter(rest.substr(0, std::max<std::size_t>(length, 1))));
+                                                 (!isFullWidth && unusualCharacter(character)));
         if (!isSkipped) appendUtf8(plain, c);
-        rest.remove_prefix(std::max<std::size_t>(length, 1));
+        rest.remove_prefix(character.size());
     }
     return inSmallLetters(plain);
 }
@@ -74,8 +76,11 @@ std::string_view meantAs(std::string_view plain) {
 void OtherStatements::take(const StatementLines& lines) {
     const std::string_view keyword = lines.keyword();
     if (std::ranges::find(kSilent, keyword) != kSilent.end()) return;
-    if (const auto undrawn = std::ranges::find(kUndrawn, keyword, &Undrawn::keyword); undrawn != kUndrawn.end())
-        return count(lines, std::string(keyword) + " (" + std::string(undrawn->meaning) + ") is not drawn");
+    if (const auto undrawn = std::ranges::find(kUndrawn, keyword, &Undrawn::keyword); undrawn != kUndrawn.end()) {
+        const std::string what = std::string(keyword) + " (" + std::string(undrawn->meaning) + ") is not drawn";
+        if (firstUndrawn_.empty()) firstUndrawn_ = ", and " + what;
+        return count(lines, what);
+    }
 
     const std::string plain = plainKeyword(keyword);
     if (plain.empty() || plain.starts_with('#')) return; // an empty line or a comment, behind an invisible character
@@ -120,6 +125,8 @@ void OtherStatements::rememberFault(const StatementLines& lines, const std::stri
 void OtherStatements::failAtFault(const StatementLines& lines) const {
     throw Error(ExitStatus::badInput, lines.place(faultLine_) + ": " + fault_);
 }
+
+std::string OtherStatements::firstUndrawn() const { return firstUndrawn_; }
 
 std::vector<std::string> OtherStatements::notes(const StatementLines& lines) const {
     std::vector<std::string> notes;

@@ -24,6 +24,9 @@ public:
     /// Throws the Error for the first fault.
     [[noreturn]] void failAtFault(const StatementLines& lines) const;
 
+    /// ", and l (lines) is not drawn" of the first such kind; empty where there is none.
+    [[nodiscard]] std::string firstUndrawn() const;
+
     /// One for each kind: the first line, and how often.
     [[nodiscard]] std::vector<std::string> notes(const StatementLines& lines) const;
 
@@ -37,6 +40,7 @@ private:
     void countUnknown(const StatementLines& lines);
 
     std::vector<Kind> kinds_;
+    std::string firstUndrawn_;
     std::size_t unknownKinds_ = 0, faultLine_ = 0;
     std::string fault_;
     bool isCloseFault_ = false;
