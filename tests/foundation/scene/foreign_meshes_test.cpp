@@ -119,7 +119,7 @@ TEST(ForeignMeshes, LibrariesAreFoundUnderOtherSpellings) {
                                     "C:\\Users\\me\\My Models\\Scene.mtl",
                                     "c:/models/SCENE.mtl",
                                     "\\\\server\\share\\Scene.mtl",
-                                    "/home/me/Scene.mtl",
+                                    "/models/Scene.mtl",
                                     ".\\Scene.mtl",
                                     "Scene.mtl\u00a0",
                                     "sub\\Other One.mtl",
