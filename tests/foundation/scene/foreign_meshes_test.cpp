@@ -160,7 +160,10 @@ TEST(ForeignMeshes, SeveralFilesThatDifferInCaseAreNotGuessedBetween) {
     folder.write("Scene.mtl", kRed);
     folder.write("SCENE.mtl", kRed);
     const auto file = folder.write("m.obj", "mtllib scene.mtl\n" + kTriangles + "usemtl red\nf 1 2 3\n");
-    EXPECT_EQ(notesWith(loadObj(file, NormalMode::file, {}), "\"scene.mtl\" is missing"), 1u);
+    const std::string note = loadObj(file, NormalMode::file, {}).notes.at(0);
+    EXPECT_TRUE(
+        contains(note, "\"scene.mtl\" is missing (\"SCENE.mtl\" and \"Scene.mtl\" differ from it in case alone)"))
+        << note;
 }
 
 TEST(ForeignMeshes, TheSearchStaysInTheAllowedFolders) {
@@ -291,7 +294,8 @@ std::string utf16(const std::string& text, bool isBigEndian, bool hasMark) {
 TEST(ForeignMeshes, Utf16IsConverted) {
     const TempFolder folder;
     const std::string name = "r\u00f6t \u4e00 \U0001f600"; // of two, three and four bytes in UTF-8
-    const std::string mesh = "# \u4e00 head\r\nmtllib m.mtl\r\n" + kTriangles + "usemtl " + name + "\r\nf 1 2 3\r\n";
+    const std::string mesh = "# \u4e00\u4e00\u4e00\u4e00\u4e00\u4e00 head\r\nmtllib m.mtl\r\n" + kTriangles +
+                             "usemtl " + name + "\r\nf 1 2 3\r\n";
     const std::string mtl = "newmtl " + name + "\nKd 1 0 0\n";
     for (const bool isBigEndian : {false, true})
         for (const bool hasMark : {false, true}) {
@@ -305,6 +309,15 @@ TEST(ForeignMeshes, Utf16IsConverted) {
             });
             EXPECT_TRUE(contains(error.what(), "bad.obj:5: vertex index 9")) << error.what();
         }
+}
+
+TEST(ForeignMeshes, StatementsOfMtlInAnotherCaseAreNoted) {
+    const TempFolder folder;
+    folder.write("m.mtl", "newmtl red\nkd 1 0 0\nKD 1 0 0\nkd 1 0 0\n");
+    const ObjFile obj =
+        loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl red\nf 1 2 3\n"), NormalMode::file, {});
+    EXPECT_EQ(notesWith(obj, "m.mtl:2: \"kd\" is no statement of MTL and is ignored; Kd may be meant (and 1 more"), 1u);
+    EXPECT_EQ(notesWith(obj, "m.mtl:3: \"KD\" is no statement of MTL"), 1u);
 }
 
 TEST(ForeignMeshes, BrokenUtf16IsRefusedOrHarmless) {

@@ -67,6 +67,9 @@ TEST(ForeignScenes, LookalikesAreNamedWhereTheyStand) {
     const Error key = errorOf([] { (void)parseSceneJson("{" + kCamera + ",\n\"exposure\u00a0\": 1}", "x.json", {}); });
     EXPECT_TRUE(contains(key.what(), "x.json:2:1: unknown key")) << key.what();
     EXPECT_TRUE(contains(key.what(), "with a no-break space (U+00A0); did you mean \"exposure\"?")) << key.what();
+    const Error value = errorOf(
+        [] { (void)parseSceneJson("{" + kCamera + ",\n\"objects\": [{\"shape\": \"box\u00a0\"}]}", "x.json", {}); });
+    EXPECT_TRUE(contains(value.what(), "(its text holds a no-break space (U+00A0))")) << value.what();
     // In a text they are as good as any, and blame for another fault is not put on them.
     const Error other = errorOf([] {
         (void)parseSceneJson("{" + kCamera + ", \"materials\": {\"the \u201cred\u201d one\" {}}}", "x.json", {});

@@ -17,7 +17,10 @@ namespace {
 std::string echo(const JsonValue& value) {
     switch (value.kind) {
     case JsonValue::Kind::number: return numberText(value.number);
-    case JsonValue::Kind::string: return "the string " + inQuotes(value.string);
+    case JsonValue::Kind::string: {
+        const auto unusual = unusualCharacter(value.string);
+        return "the string " + inQuotes(value.string) + (unusual ? " with " + unusual->name : std::string());
+    }
     case JsonValue::Kind::boolean: return value.boolean ? "true" : "false";
     case JsonValue::Kind::array: return "an array of " + std::to_string(value.items.size());
     default: return std::string(describe(value.kind));
@@ -42,7 +45,7 @@ JsonObject::JsonObject(const JsonDocument& document, const JsonValue& value, std
             const std::vector<std::string> names(known.begin(), known.end());
             const auto unusual = unusualCharacter(member.key);
             document.fail(member.keyOffset, "unknown key " + inQuotes(member.key) + " in " + what_ +
-                                                (unusual ? ", with " + unusual->name : "") + "; " +
+                                                (unusual ? ", with " + unusual->name : std::string()) + "; " +
                                                 suggestion(member.key, names));
         }
 }
@@ -60,7 +63,11 @@ const JsonValue& JsonObject::require(std::string_view key, std::string_view exam
 
 void JsonObject::fail(std::string_view key, const std::string& problem, ExitStatus status) const {
     const JsonValue* found = find(key);
-    document_.fail(found ? found->offset : value_.offset, inQuotes(key) + " of " + what_ + " " + problem, status);
+    const auto unusual = unusualCharacter(found ? found->string : std::string());
+    document_.fail(found ? found->offset : value_.offset,
+                   inQuotes(key) + " of " + what_ + " " + problem +
+                       (unusual ? " (its text holds " + unusual->name + ")" : std::string()),
+                   status);
 }
 
 double JsonObject::checkedNumber(std::string_view key, const JsonValue& value, const Range& range) const {

@@ -43,8 +43,8 @@ ReferredFile readReference(const SceneReading& reading, const JsonObject& object
     if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
         object.fail(key, named + "is a folder; name a file in it");
     if (const std::string fault = whyUnreadable(path); !fault.empty())
-        object.fail(key,
-                    named + fault + " (" + shownPath(path) + "); correct the path, it is relative to the scene file");
+        object.fail(key, named + fault + reading.misnamed.severalAlike() + " (" + shownPath(path) +
+                             "); correct the path, it is relative to the scene file");
     return {std::move(path), *canonical};
 }
 

@@ -99,9 +99,13 @@ bool MisnamedFiles::isThere(const std::string& reference) const {
 }
 
 std::optional<std::string> MisnamedFiles::find(const std::string& reference, const std::string& inFolder) {
+    alike_.clear();
     if (reference.size() > kLongestPath || reference.find('\0') != std::string::npos) return std::nullopt;
     for (const std::string& spelling : spellings(reference))
-        if (auto found = inAnyCase(spelling, inFolder)) return found;
+        if (auto found = inAnyCase(spelling, inFolder)) {
+            alike_.clear();
+            return found;
+        }
     return std::nullopt;
 }
 
@@ -127,12 +131,22 @@ std::optional<std::string> MisnamedFiles::inAnyCase(const std::string& reference
         if (!folder) return std::nullopt;
         const Listing& names = listing(*folder);
         const auto alike = names.find(inSmallLetters(part.native()));
-        if (alike == names.end() || alike->second.size() != 1) return std::nullopt;
+        if (alike == names.end()) return std::nullopt;
+        if (alike->second.size() > 1) {
+            alike_ = alike->second;
+            return std::nullopt;
+        }
         found /= alike->second.front();
     }
     const auto file = folders_.resolve(found.native()); // the links of the last part are followed, too
     if (!file || !std::filesystem::is_regular_file(*file, ignored)) return std::nullopt;
     return found.native();
+}
+
+std::string MisnamedFiles::severalAlike() const {
+    if (alike_.empty()) return {};
+    const auto [first, last] = std::ranges::minmax(alike_); // folders are listed in no defined order
+    return " (" + inQuotes(first) + " and " + inQuotes(last) + " differ from it in case alone)";
 }
 
 const MisnamedFiles::Listing& MisnamedFiles::listing(const std::filesystem::path& canonicalFolder) {

@@ -32,6 +32,9 @@ public:
     /// `inFolder` is the folder that the name is relative to, itself relative to that of the referring file.
     [[nodiscard]] std::optional<std::string> find(const std::string& reference, const std::string& inFolder = {});
 
+    /// Of the last find() that found none: ` ("A.png" and "a.PNG" differ from it in case alone)`, where there were several.
+    [[nodiscard]] std::string severalAlike() const;
+
 private:
     using Listing = std::map<std::string, std::vector<std::string>>; ///< names as they are, by inSmallLetters
 
@@ -40,6 +43,7 @@ private:
 
     const AllowedFolders& folders_;
     std::map<std::filesystem::path, Listing> listings_; ///< a file may name thousands of missing ones
+    std::vector<std::string> alike_;                    ///< names between which the last find() did not guess
 };
 
 /// One note for all files of a kind that were found under another name.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/load/text_encoding.h"
 
-#include <algorithm>
-
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
@@ -13,21 +11,16 @@ namespace {
 
 enum class ByteOrder { none, littleEndian, bigEndian };
 
-/// Of a text without a byte order mark. Keywords, digits, blanks and line ends are ASCII in all formats read here, so in UTF-16 one byte
-/// of many pairs is NUL, always on the same side; a UTF-8 text has none, and other files have them on both sides.
+/// Of a text without a byte order mark. All formats read here begin with two ASCII characters (a keyword, a bracket, a comment, a
+/// line end), of which UTF-16 makes a NUL byte and another one each. A UTF-8 text has no NUL bytes.
 ByteOrder guessedOrder(std::string_view bytes) {
-    constexpr std::size_t kJudgedBytes = 4096; // a head of comments in another script is shorter
-    const std::string_view head = bytes.substr(0, std::min(bytes.size(), kJudgedBytes));
-    std::size_t nuls[2] = {0, 0};
-    for (std::size_t i = 0; i < head.size(); ++i)
-        nuls[i % 2] += head[i] == '\0' ? 1 : 0;
-    // A quarter of the pairs: a single NUL byte in an ASCII text is a fault and no encoding. A quarter as many on the other side are
-    // characters such as U+4E00, whose low byte is NUL.
-    const auto isMostly = [&](std::size_t side) {
-        return 4 * nuls[side] >= head.size() / 2 && nuls[side] > 0 && 4 * nuls[1 - side] <= nuls[side];
+    if (bytes.size() < 4) return ByteOrder::none;
+    const auto isAscii = [](char high, char low) {
+        return high == '\0' && low != '\0' && static_cast<unsigned char>(low) < 0x80;
     };
-    if (head.size() < 4) return ByteOrder::none; // too short for a verdict, and for any file that holds something
-    return isMostly(1) ? ByteOrder::littleEndian : isMostly(0) ? ByteOrder::bigEndian : ByteOrder::none;
+    if (isAscii(bytes[1], bytes[0]) && isAscii(bytes[3], bytes[2])) return ByteOrder::littleEndian;
+    if (isAscii(bytes[0], bytes[1]) && isAscii(bytes[2], bytes[3])) return ByteOrder::bigEndian;
+    return ByteOrder::none;
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, std::size_t line, const std::string& what) {

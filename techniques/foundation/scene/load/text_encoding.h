@@ -8,7 +8,7 @@
 
 namespace shadowlab::scene {
 
-/// The text in UTF-8. UTF-16 is told by its byte order mark or, without one, by the NUL bytes of its ASCII characters, and is
+/// The text in UTF-8. UTF-16 is told by its byte order mark or, without one, by the NUL bytes of its first two characters, and is
 /// converted; all else is returned as it is, also a UTF-8 byte order mark. Half of a surrogate pair becomes the three
 /// bytes that UTF-8 forbids for it: harmless in a comment, refused in JSON, never equal to another character.
 /// Throws Error (badInput) for UTF-16 of an odd number of bytes, and for UTF-32.

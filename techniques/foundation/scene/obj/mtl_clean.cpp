@@ -58,7 +58,7 @@ public:
             else if (keyword == "map_d")
                 alphaMap();
             else
-                refuseMisspelt(keyword);
+                misspelt(keyword);
         }
         if (clamped_ > 0)
             notes.push_back(lines_.place(firstClampedLine_) + ": " + firstClamped_ +
@@ -103,13 +103,16 @@ private:
     }
 
     /// A newmtl that is not read as one would give its values to the material before it, and a no-break space hides any statement.
-    void refuseMisspelt(const std::string& keyword) const {
+    void misspelt(const std::string& keyword) {
         const std::string isNone = inQuotes(keyword, 40) + " is no statement of MTL";
         const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
         if (const std::string_view plain = withoutOuterBlanks(keyword); !plain.empty() && isLetter(plain.front()))
             if (const auto unusual = unusualCharacter(keyword))
                 lines_.fail(isNone + ": it holds " + unusual->name + "; " + unusual->remedy);
         if (inSmallLetters(keyword) == "newmtl") lines_.fail(isNone + "; write newmtl in small letters");
+        for (const NumberStatement& statement : kStatements)
+            if (inSmallLetters(keyword) == inSmallLetters(statement.keyword))
+                ignore(isNone + " and is ignored; " + std::string(statement.keyword) + " may be meant");
     }
 
     void alphaMap() {

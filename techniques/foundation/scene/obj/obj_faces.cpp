@@ -48,8 +48,8 @@ public:
             std::error_code ignored;
             const std::filesystem::file_status status = std::filesystem::status(path, ignored);
             if (!std::filesystem::exists(status)) {
-                notes_.push_back(place(library) + ": material file \"" + shown(name) +
-                                 "\" is missing; its materials are drawn in the default grey");
+                notes_.push_back(place(library) + ": material file \"" + shown(name) + "\" is missing" +
+                                 misnamed_.severalAlike() + "; its materials are drawn in the default grey");
                 continue;
             }
             if (std::filesystem::is_directory(status))

@@ -89,7 +89,9 @@ void OtherStatements::take(const StatementLines& lines) {
     if (const auto unusual = unusualCharacter(keyword))
         rememberFault(lines, isNone + ": it holds " + unusual->name + "; " + unusual->remedy, true);
     else if (std::ranges::find(kScanned, plain) != kScanned.end())
-        rememberFault(lines, isNone + "; write " + plain + " in small letters", true);
+        rememberFault(lines,
+                      isNone + "; write " + plain + (inSmallLetters(keyword) == plain ? " in small letters" : " alone"),
+                      true);
     else
         rememberFault(lines,
                       isNone + ", and indices would be off if it was meant as " + std::string(meantAs(plain)) +
