@@ -65,6 +65,15 @@ TEST_F(DeckTest, EverySlideOfTheBuiltInDecksIsRead) {
     EXPECT_GE(formulas, 15);
 }
 
+TEST_F(DeckTest, Utf16IsReadAsUtf8IsAndKeptAsUtf8) {
+    std::string bytes = "\xfe\xff"; // the mark of the order in which a pair begins with its high byte
+    for (const char c : std::string(kDeck))
+        bytes += {'\0', c};
+    const Deck deck = written(bytes);
+    EXPECT_EQ(deck.slides(), written(kDeck).slides());
+    EXPECT_EQ(deck.text(), kDeck); // what a slide is added to
+}
+
 TEST_F(DeckTest, LevelsAddUp) {
     Deck deck = written(kDeck);
     EXPECT_EQ(deck.slides(), (std::vector<std::string>{"one", "two", "three"}));

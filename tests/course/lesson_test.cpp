@@ -51,6 +51,22 @@ TEST(Lesson, StatesShareWhatStandsAboveThem) {
     EXPECT_FALSE(lesson.question);
 }
 
+TEST(Lesson, Utf16IsReadAsUtf8IsAndKeepsItsPlaces) {
+    const auto utf16 = [](const std::string& ascii) {
+        std::string bytes = "\xff\xfe"; // the mark of the order in which a pair begins with its low byte
+        for (const char c : ascii)
+            bytes += {c, '\0'};
+        return bytes;
+    };
+    EXPECT_EQ(parsed(utf16(kLesson)).text.title, "T");
+    try {
+        (void)parsed(utf16(with(kLesson, "\"scene\"", "\"scenery\"")));
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_TRUE(std::string(error.what()).starts_with("x.json:3:3: unknown key")) << error.what();
+    }
+}
+
 TEST(Lesson, BoxesKeepTheirPlaceOnThingsInPicturesOfOtherShapes) {
     const LookBox box =
         inPictureOf(8.0 / 9, {{0.4, 0.2}, {0.2, 0.5}, ""}); // half as wide: what is seen is twice as wide

@@ -93,10 +93,15 @@ TEST(Mtl, FilesAreNamedAsGiven) {
 TEST(Mtl, NumbersThatAreNoneAreErrorsOfTheMtlFile) {
     const TempFolder folder;
     const auto file = folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "f 1 2 3\n");
-    for (const auto& [text, place] : {std::pair{"newmtl a\nKd nan 0 0\n", "m.mtl:2: \"nan\""},
-                                      std::pair{"newmtl a\n\nNs many\n", "m.mtl:3: \"many\""},
-                                      std::pair{"newmtl a\nKd\n", "m.mtl:2: Kd has no number"},
-                                      std::pair{"newmtl\n", "m.mtl:1: newmtl without a name"}}) {
+    for (const auto& [text, place] :
+         {std::pair{"newmtl a\nKd nan 0 0\n", "m.mtl:2: \"nan\""},
+          std::pair{"newmtl a\n\nNs many\n", "m.mtl:3: \"many\""},
+          std::pair{"newmtl a\nKd\n", "m.mtl:2: Kd has no number"},
+          std::pair{"newmtl a\nKd \u22121\n", "m.mtl:2: \"\u22121\" in Kd is not a finite number: "
+                                              "it holds a minus sign (U+2212)"},
+          std::pair{"newmtl a\nKd\u00a0 1\n", "m.mtl:2: \"Kd\u00a0\" is no statement of MTL"},
+          std::pair{"newmtl a\n\ufeffnewmtl b\n", "m.mtl:2: "},
+          std::pair{"newmtl a\nNewMtl b\n", "m.mtl:2: \"NewMtl\" is no statement"}}) {
         folder.write("m.mtl", text);
         const Error error = errorOf([&] { (void)loadObj(file, NormalMode::file, {}); });
         EXPECT_TRUE(contains(error.what(), place)) << error.what();

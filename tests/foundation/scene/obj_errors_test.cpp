@@ -79,8 +79,45 @@ INSTANTIATE_TEST_SUITE_P(
         BadObj{"OnlyDegenerate", kThree + "f 1 1 2\n", 1, "all 1 triangle of the file are degenerate"},
         BadObj{"LineCountedThroughCrLf", "v 0 0 0\r\nv 1 0 0\r\nv 0 z 0\r\n", 3, "\"z\""},
         BadObj{"LineCountedThroughCr", "v 0 0 0\rv 1 0 0\rv 0 z 0\r", 3, "\"z\""},
-        BadObj{"LineCountedThroughContinuation", kThree + "f 1 \\\n2 \\\n9\nf 1 2 3\n", 6, "vertex index 9"},
-        BadObj{"UsemtlWithoutName", kThree + "usemtl\nf 1 2 3\n", 4, "usemtl without a name"}),
+        BadObj{"LineCountedThroughContinuation", kThree + "f 1 \\\n2 \\\n9\nf 1 2 3\n", 6, "vertex index 9"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+// Characters that look like plain ones are named, and a line that looks like v or f and is neither is not left out.
+INSTANTIATE_TEST_SUITE_P(
+    Lookalikes, BadObjFiles,
+    testing::Values(
+        BadObj{"NoBreakSpaceBehindV", "v 0 0 0\nv\u00a0 1 0 0\nv 0 1 0\nf 1 2 3\n", 2, "no-break space (U+00A0)"},
+        BadObj{"NoBreakSpaceBeforeV", "v 0 0 0\n\u00a0v 1 0 0\nv 0 1 0\nf 1 2 3\n", 2, "no-break space (U+00A0)"},
+        BadObj{"NoBreakSpaceInPlaceOfABlank", "v 0 0 0\nv\u00a01 0 0\n", 2, "no-break space (U+00A0)"},
+        BadObj{"NoBreakSpaceOfLatin1", "v 0 0 0\nv\xa0 1 0 0\n", 2, "no-break space (byte A0)"},
+        BadObj{"NoBreakSpaceBehindF", kThree + "f\u00a0 1 2 3\nf 1 2 3\n", 4, "no-break space (U+00A0)"},
+        BadObj{"NoBreakSpaceBetweenNumbers", "v 0\u00a00 0\n", 1, "no-break space (U+00A0); write a plain blank"},
+        BadObj{"NoBreakSpaceBetweenIndices", kThree + "f 1\u00a02 3\n", 4, "no-break space (U+00A0)"},
+        BadObj{"ZeroWidthSpace", kThree + "\u200bf 1 2 3\nf 1 2 3\n", 4, "an invisible character (U+200B); delete it"},
+        BadObj{"ByteOrderMarkInTheMiddle", "v 0 0 0\n\ufeffv 1 0 0\n", 2, "a byte order mark (U+FEFF); delete it"},
+        BadObj{"ByteOrderMarkTwice", "\ufeff\ufeffv 0 0 0\nv 1 0 0\n", 1, "a byte order mark (U+FEFF); delete it"},
+        BadObj{"FullWidthV", "v 0 0 0\n\uff56 1 0 0\n", 2, "a full-width character (U+FF56); write a plain v"},
+        BadObj{"MinusSign", "v \u22121 0 0\n", 1, "a minus sign (U+2212); write a plain -"},
+        BadObj{"MinusSignOfAnExponent", "v 1e\u22123 0 0\n", 1, "a minus sign (U+2212)"},
+        BadObj{"DashOfAnIndex", kThree + "f \u20131 -2 -3\n", 4, "a dash (U+2013)"},
+        BadObj{"CurlyQuote", "v \u201c1\u201d 0 0\n", 1, "a curly quote (U+201C)"},
+        BadObj{"CapitalV", "v 0 0 0\nV 1 0 0\nv 0 1 0\nf 1 2 3\n", 2, "\"V\" is no statement of OBJ; write v in small"},
+        BadObj{"CapitalFirst", "V 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", 1, "\"V\" is no statement of OBJ"},
+        BadObj{"AllCapitals", "V 0 0 0\nV 1 0 0\nV 0 1 0\nF 1 2 3\n", 1, "\"V\" is no statement of OBJ"},
+        BadObj{"CapitalF", kThree + "f 1 2 3\nF 1 2 3\n", 5, "\"F\" is no statement of OBJ; write f in small"},
+        BadObj{"CapitalNormal", kThree + "Vn 0 0 1\nf 1 2 3\n", 4, "write vn in small letters"},
+        BadObj{"CapitalTexcoord", kThree + "VT 0 0\nf 1 2 3\n", 4, "write vt in small letters"},
+        BadObj{"Face", kThree + "face 1 2 3\nf 1 2 3\n", 4, "\"face\" is no statement of OBJ"},
+        BadObj{"Vertex", "v 0 0 0\nvertex 1 0 0\nv 0 1 0\n", 2, "\"vertex\" is no statement of OBJ"},
+        BadObj{"GluedNumber", "v 0 0 0\nv1 0 0\n", 2, "\"v1\" is no statement of OBJ"},
+        BadObj{"GluedIndex", kThree + "f1 2 3\n", 4, "\"f1\" is no statement of OBJ"},
+        BadObj{"Quoted", "v 0 0 0\n\"v\" 1 0 0\n", 2, "is no statement of OBJ"},
+        BadObj{"StlText", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", 1, "is not an OBJ file"},
+        BadObj{"WindowsNanInV", "v 0 0 0\nv 1.#QNAN 0 0\n", 2, "not a finite number"},
+        BadObj{"WindowsInfInV", "v 0 0 0\nv 0 -1.#INF00 0\n", 2, "not a finite number"},
+        BadObj{"NoNanAtAll", "v 0 0 0\nv 1.# 0 0\n", 2, "\"1.#\" is not a number"},
+        BadObj{"OnlyLines", kThree + "l 1 2 3\n", 1, "no faces (f lines), and l (lines) is not drawn"},
+        BadObj{"OnlySurfaces", kThree + "cstype bezier\nsurf 0 1 0 1 1 2 3\nend\n", 1, "surf (free-form surfaces)"}),
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST(ObjErrors, LimitsEndWithTheirOwnStatus) {

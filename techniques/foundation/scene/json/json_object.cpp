@@ -7,6 +7,7 @@
 
 #include "techniques/foundation/base/nearest_names.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/load/unusual_characters.h"
 
 namespace shadowlab::scene {
 
@@ -16,7 +17,10 @@ namespace {
 std::string echo(const JsonValue& value) {
     switch (value.kind) {
     case JsonValue::Kind::number: return numberText(value.number);
-    case JsonValue::Kind::string: return "the string " + inQuotes(value.string);
+    case JsonValue::Kind::string: {
+        const auto unusual = unusualCharacter(value.string);
+        return "the string " + inQuotes(value.string) + (unusual ? " with " + unusual->name : std::string());
+    }
     case JsonValue::Kind::boolean: return value.boolean ? "true" : "false";
     case JsonValue::Kind::array: return "an array of " + std::to_string(value.items.size());
     default: return std::string(describe(value.kind));
@@ -39,7 +43,9 @@ JsonObject::JsonObject(const JsonDocument& document, const JsonValue& value, std
     for (const JsonMember& member : value.members)
         if (std::ranges::find(known, member.key) == known.end()) {
             const std::vector<std::string> names(known.begin(), known.end());
-            document.fail(member.keyOffset, "unknown key " + inQuotes(member.key) + " in " + what_ + "; " +
+            const auto unusual = unusualCharacter(member.key);
+            document.fail(member.keyOffset, "unknown key " + inQuotes(member.key) + " in " + what_ +
+                                                (unusual ? ", with " + unusual->name : std::string()) + "; " +
                                                 suggestion(member.key, names));
         }
 }
@@ -57,7 +63,11 @@ const JsonValue& JsonObject::require(std::string_view key, std::string_view exam
 
 void JsonObject::fail(std::string_view key, const std::string& problem, ExitStatus status) const {
     const JsonValue* found = find(key);
-    document_.fail(found ? found->offset : value_.offset, inQuotes(key) + " of " + what_ + " " + problem, status);
+    const auto unusual = unusualCharacter(found ? found->string : std::string());
+    document_.fail(found ? found->offset : value_.offset,
+                   inQuotes(key) + " of " + what_ + " " + problem +
+                       (unusual ? " (its text holds " + unusual->name + ")" : std::string()),
+                   status);
 }
 
 double JsonObject::checkedNumber(std::string_view key, const JsonValue& value, const Range& range) const {
@@ -101,7 +111,7 @@ std::string JsonObject::text(std::string_view key, std::optional<std::string> fa
     // Names and paths end up in one-line messages and tables.
     for (const char c : value.string)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-            fail(key, "holds a control character; use printable text");
+            fail(key, "holds a control character; use printable text, and in a path / between folders");
     return value.string;
 }
 

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <unordered_map>
 
 #include <nlohmann/json.hpp>
 
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/load/text_encoding.h"
+#include "techniques/foundation/scene/load/unusual_characters.h"
 
 namespace shadowlab::scene {
 
@@ -61,6 +64,8 @@ std::size_t skipToToken(std::string_view text, std::size_t offset) {
     return offset;
 }
 
+constexpr std::size_t kLongestSequence = 4; ///< bytes of one character in UTF-8
+
 /// What nlohmann-json calls back. Values under construction wait on a stack; a finished one moves into its parent.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 public:
@@ -82,8 +87,11 @@ public:
     bool string(string_t& value) override {
         requireNoNul(value);
         JsonValue found = startOf(Kind::string, tokenStart());
+        lastTextStart_ = found.offset;
         found.string = std::move(value);
-        return add(std::move(found));
+        add(std::move(found));
+        lastTextEnd_ = lastEnd_;
+        return true;
     }
     bool binary(binary_t&) override { return false; } // never occurs in JSON text
     bool start_object(std::size_t) override { return open(Kind::object); }
@@ -100,7 +108,8 @@ public:
             document_.fail(offset, "key \"" + shown(key) + "\" appears twice in one object, first at " +
                                        document_.place(earlier->second) + "; delete one of them");
         object.value.members.push_back({std::move(key), offset, {}});
-        lastEnd_ = consumed_;
+        lastTextStart_ = offset;
+        lastTextEnd_ = lastEnd_ = consumed_;
         return true;
     }
 
@@ -123,6 +132,9 @@ public:
             document_.fail(noticed, "the file holds no JSON value; write " + std::string(content_));
         // Inside a string the very character is at fault, elsewhere the token that begins after the last good one.
         const bool inString = what.find("invalid string") != std::string::npos;
+        nameUnusualCharacter(std::min(noticed, tokenStart()), noticed, inString);
+        if (what.find("after backslash") != std::string::npos)
+            what += "; in a path write / between folders, elsewhere \\\\ for a backslash";
         document_.fail(inString ? noticed : std::min(noticed, tokenStart()), shown(what, 200) + "; fix the JSON here");
     }
 
@@ -131,6 +143,27 @@ private:
         JsonValue value;
         std::unordered_map<std::string, std::size_t> keyOffsets;
     };
+
+    /// Fails at a character that looks like one of JSON's, where it is to blame: from the faulty token to where the fault was noticed.
+    /// Within a text only a curly quote can be, which was to end it: there, and in the text before, which then ran on.
+    void nameUnusualCharacter(std::size_t start, std::size_t noticed, bool inString) const {
+        const std::string_view text = document_.text();
+        const std::size_t end = std::min(noticed + kLongestSequence, text.size());
+        for (auto found = unusualCharacter(text.substr(0, end), start); found && found->offset <= noticed;
+             found = unusualCharacter(text.substr(0, end), found->offset + found->length))
+            if (!inString || found->isDoubleQuote)
+                document_.fail(found->offset, found->name + " stands here, which JSON does not know; " + found->remedy);
+        if (lastTextEnd_ != lastEnd_) return;
+        const std::string_view before = text.substr(0, lastTextEnd_);
+        std::optional<UnusualCharacter> quote;
+        std::size_t quotes = 0;
+        for (auto found = unusualCharacter(before, lastTextStart_); found;
+             found = unusualCharacter(before, found->offset + found->length))
+            if (found->isDoubleQuote && quotes++ == 0) quote = found;
+        if (quotes % 2 == 1) // pairs of them are part of a sentence
+            document_.fail(quote->offset,
+                           quote->name + " stands in this text, which may have been meant to end it; " + quote->remedy);
+    }
 
     /// Names, paths and settings go into messages and to the system, where a NUL byte would end them.
     void requireNoNul(const std::string& text) const {
@@ -190,7 +223,8 @@ private:
     const std::size_t& consumed_;
     std::uint32_t maximumDepth_;
     std::string_view content_;
-    std::size_t lastEnd_ = 0; ///< where the last token ended
+    std::size_t lastEnd_ = 0;                         ///< where the last token ended
+    std::size_t lastTextStart_ = 0, lastTextEnd_ = 0; ///< of the last token that is a text
     std::vector<Frame> stack_;
     JsonValue root_;
 };
@@ -211,7 +245,7 @@ std::string_view describe(JsonValue::Kind kind) {
 
 JsonDocument::JsonDocument(std::string text, const std::filesystem::path& file, std::uint32_t maximumDepth,
                            std::string_view content)
-    : text_(std::move(text)), fileName_(shownPath(file)) {
+    : text_(utf8Text(std::move(text), file)), fileName_(shownPath(file)) {
     // nlohmann-json takes a NUL byte for the end and would never see what follows.
     if (const std::size_t nul = text_.find('\0'); nul != std::string::npos)
         fail(nul, "binary data (a NUL byte); write a JSON text");

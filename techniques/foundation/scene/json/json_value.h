@@ -21,7 +21,7 @@ struct JsonValue {
     bool boolean = false;
     double number = 0.0;
     std::string string{};
-    std::vector<JsonValue> items{};    ///< of an array
+    std::vector<JsonValue> items{};  ///< of an array
     std::vector<JsonMember> members; ///< of an object, in the order of the text; no key twice
 };
 
@@ -34,7 +34,7 @@ struct JsonMember {
 /// "a number", "an array" ...: for messages.
 std::string_view describe(JsonValue::Kind kind);
 
-/// A parsed JSON text. Comments are allowed, a byte order mark too; a key twice in one object is an error.
+/// A parsed JSON text, in UTF-8 or UTF-16. Comments are allowed, a byte order mark too; a key twice in one object is an error.
 class JsonDocument {
 public:
     /// `content` is what an empty file is asked to hold. Throws Error (badInput; overLimit when nested deeper than
@@ -51,7 +51,7 @@ public:
     [[noreturn]] void fail(std::size_t offset, const std::string& message,
                            ExitStatus status = ExitStatus::badInput) const;
 
-    [[nodiscard]] const std::string& text() const { return text_; }
+    [[nodiscard]] const std::string& text() const { return text_; } ///< in UTF-8
 
 private:
     std::string text_;

@@ -30,16 +30,21 @@ Camera readCamera(const NumberRanges& ranges, const JsonDocument& document, cons
 }
 
 ReferredFile readReference(const SceneReading& reading, const JsonObject& object, std::string_view key) {
-    const std::string reference = object.text(key);
+    std::string reference = object.text(key);
     const std::string named = inQuotes(reference) + " ";
+    if (!reading.misnamed.isThere(reference))
+        if (const auto found = reading.misnamed.find(reference)) {
+            reading.misnamedNote.add(object.document().place(object.find(key)->offset), reference, *found);
+            reference = *found;
+        }
     const auto canonical = reading.folders.resolve(reference);
     if (!canonical) object.fail(key, named + std::string(kOutsideMessage));
     std::filesystem::path path = reading.file.parent_path() / reference;
     if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
         object.fail(key, named + "is a folder; name a file in it");
     if (const std::string fault = whyUnreadable(path); !fault.empty())
-        object.fail(key,
-                    named + fault + " (" + shownPath(path) + "); correct the path, it is relative to the scene file");
+        object.fail(key, named + fault + reading.misnamed.severalAlike() + " (" + shownPath(path) +
+                             "); correct the path, it is relative to the scene file");
     return {std::move(path), *canonical};
 }
 
@@ -61,7 +66,10 @@ std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::
                          {"camera", "ambient", "background", "exposure", "lights", "materials", "objects"});
     const auto scene = std::make_shared<Scene>();
     const AllowedFolders folders(file, options);
-    const SceneReading reading{{options.limits.coordinate}, document, file, options, folders, *scene};
+    MisnamedFiles misnamed(folders);
+    MisnamedFilesNote misnamedNote("the file");
+    const SceneReading reading{
+        {options.limits.coordinate}, document, file, options, folders, *scene, misnamed, misnamedNote};
 
     scene->name = file.stem().string();
     const JsonValue& camera = top.require("camera", "{\"position\": [3, 2.5, 5], \"target\": [0, 0, 0]}");
@@ -76,6 +84,7 @@ std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::
     readLights(reading, top);
     readMaterials(reading, top);
     readObjects(reading, top);
+    misnamedNote.appendTo(scene->notes);
     addEmitterSurfaces(*scene);
     scene->memory = memoryBudget(*scene, options.limits);
     return scene;

@@ -9,6 +9,7 @@
 
 #include "techniques/foundation/scene/json/json_object.h"
 #include "techniques/foundation/scene/load/file_access.h"
+#include "techniques/foundation/scene/load/misnamed_files.h"
 #include "techniques/foundation/scene/model/scene.h"
 
 namespace shadowlab::scene {
@@ -31,6 +32,8 @@ struct SceneReading : NumberRanges {
     const LoadOptions& options;
     const AllowedFolders& folders;
     Scene& scene;
+    MisnamedFiles& misnamed;         ///< finds files whose names are written as on another computer
+    MisnamedFilesNote& misnamedNote; ///< about those that it found
 };
 
 /// The camera that `value` describes, its keys checked against each other. A key that is left out keeps what `before`
@@ -58,7 +61,8 @@ struct ShapeRequest {
 };
 ShapeRequest readShape(const SceneReading& reading, const JsonObject& keys);
 
-/// The file a key refers to: inside the allowed folders and a readable regular file, else an error at the key.
+/// The file a key refers to: inside the allowed folders and a readable regular file, else an error at the key. A file of a name that is
+/// written otherwise is taken, and noted.
 /// Returns the path as opened: the scene's folder and the reference, not normalised.
 struct ReferredFile {
     std::filesystem::path path;      ///< to open, and to name in messages

@@ -18,6 +18,9 @@ namespace {
 
 constexpr std::uint32_t kWhite = 0; ///< index of the default material
 
+/// Of a path with backslashes, what stands behind the last: the file's name, also where it was found in spite of them.
+std::string lastPart(const std::string& path) { return path.substr(path.rfind('\\') + 1); }
+
 class ObjectReader {
 public:
     explicit ObjectReader(const SceneReading& reading) : reading_(reading), limits_(reading.options.limits) {
@@ -249,7 +252,7 @@ void ObjectReader::read(const JsonValue& value, const std::string& what) {
 
     Object object;
     const std::string kind =
-        keys.find("shape") ? keys.text("shape") : std::filesystem::path(keys.text("mesh")).stem().string();
+        keys.find("shape") ? keys.text("shape") : std::filesystem::path(lastPart(keys.text("mesh"))).stem().string();
     object.name = keys.find("name") ? keys.text("name") : uniqueName(kind);
     names_.insert(object.name);
     object.mesh = std::move(loaded.mesh);

@@ -4,28 +4,11 @@
 
 #include <charconv>
 
+#include "techniques/foundation/scene/load/text_encoding.h"
+
 namespace shadowlab::scene {
 
 namespace {
-
-/// Length of the well-formed UTF-8 sequence at the start of `text`, 0 when it is ill-formed.
-std::size_t sequenceLength(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const std::size_t length = byte(0) < 0x80   ? 1
-                               : byte(0) < 0xc2 ? 0
-                               : byte(0) < 0xe0 ? 2
-                               : byte(0) < 0xf0 ? 3
-                               : byte(0) < 0xf5 ? 4
-                                                : 0;
-    if (length > text.size()) return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((byte(i) & 0xc0) != 0x80) return 0;
-    // Longer than need be, a half of a surrogate pair, or beyond the last code point (The Unicode Standard, table 3-7).
-    if ((byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xed && byte(1) > 0x9f) ||
-        (byte(0) == 0xf0 && byte(1) < 0x90) || (byte(0) == 0xf4 && byte(1) > 0x8f))
-        return 0;
-    return length;
-}
 
 /// Does a sequence of two or three bytes stand for a control character, or for one that changes the direction of text?
 /// Terminals would obey them.

@@ -4,6 +4,7 @@
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/scene/load/file_access.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/load/text_encoding.h"
 #include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/obj/obj_mesh.h"
 
@@ -29,6 +30,7 @@ void giveColoredPartsMaterials(ObjFile& obj) {
 /// Notes on the mesh: the user should know about these faults, but need not fix them.
 void addNotes(const ObjScan& scan, const std::filesystem::path& file, ObjFile& obj) {
     const std::string name = shownPath(file);
+    obj.notes.insert(obj.notes.end(), scan.notes.begin(), scan.notes.end());
     if (obj.mesh.droppedTriangles > 0)
         obj.notes.push_back(name + ": dropped " + counted(obj.mesh.droppedTriangles, "degenerate triangle"));
     if (scan.unusableNormals > 0)
@@ -78,7 +80,7 @@ MaterialsByName materialsByName(const std::vector<Material>& materials) {
 
 ObjFile loadObj(const std::filesystem::path& file, NormalMode mode, const LoadOptions& options) {
     requireMemoryForObj(file, options.limits);
-    ObjScan scan = scanObj(readFile(file, options.limits.fileBytes, "mesh-file"), file, options.limits);
+    ObjScan scan = scanObj(utf8Text(readFile(file, options.limits.fileBytes, "mesh-file"), file), file, options.limits);
     image::keepInput(file);
     ObjFaces faces = readFaces(scan, file, options);
     ObjFile obj;

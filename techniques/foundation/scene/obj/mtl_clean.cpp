@@ -9,6 +9,8 @@
 #include <set>
 
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/load/misnamed_files.h"
+#include "techniques/foundation/scene/load/unusual_characters.h"
 #include "techniques/foundation/scene/obj/statement_lines.h"
 
 namespace shadowlab::scene {
@@ -44,7 +46,7 @@ public:
             if (keyword == "newmtl")
                 newMaterial();
             else if (statement == kStatements.end() && keyword != "map_d" && keyword != "map_Kd")
-                ignore(shown(keyword, 40) + " is not supported and ignored");
+                other(keyword);
             else if (!inMaterial_)
                 ignore(keyword + " stands before the first newmtl and is ignored");
             else if (statement != kStatements.end())
@@ -85,9 +87,9 @@ private:
     void newMaterial() {
         endMaterial();
         const std::string name(lines_.restOfLine());
-        if (name.empty()) lines_.fail("newmtl without a name; write one after it");
+        if (name.empty()) ignore("newmtl has no name; its material cannot be used");
         isDefinition_ = names_.insert(name).second;
-        if (!isDefinition_ && repeated_.empty()) {
+        if (!name.empty() && !isDefinition_ && repeated_.empty()) {
             repeated_ = name;
             repeatedLine_ = lines_.line();
         }
@@ -99,6 +101,20 @@ private:
         // Defaults first: a later statement of the file replaces them. 0.8 is the scene's default grey.
         result_.text += "newmtl " + std::to_string(result_.names.size()) + "\nKd 0.8 0.8 0.8\nNs 32\nNi 1.5\n";
         result_.names.push_back(name);
+    }
+
+    /// A newmtl that is not read as one would give its values to the material before it, and a no-break space hides any statement.
+    void other(const std::string& keyword) {
+        const std::string isNone = inQuotes(keyword, 40) + " is no statement of MTL";
+        const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+        if (const std::string_view plain = withoutOuterBlanks(keyword); !plain.empty() && isLetter(plain.front()))
+            if (const auto unusual = unusualCharacter(keyword))
+                lines_.fail(isNone + ": it holds " + unusual->name + "; " + unusual->remedy);
+        if (inSmallLetters(keyword) == "newmtl") lines_.fail(isNone + "; write newmtl in small letters");
+        for (const NumberStatement& statement : kStatements)
+            if (inSmallLetters(keyword) == inSmallLetters(statement.keyword))
+                return ignore(isNone + " and is ignored; " + std::string(statement.keyword) + " may be meant");
+        ignore(shown(keyword, 40) + " is not supported and ignored");
     }
 
     /// What can be judged only when all statements of a material are known.
@@ -150,8 +166,8 @@ private:
             if (count == statement.count) break;
             const auto value = readNumber(*token);
             if (!value || !std::isfinite(*value))
-                lines_.fail(inQuotes(*token, 40) + " in " + std::string(statement.keyword) +
-                            " is not a finite number; write a number such as 0.8");
+                lines_.fail(inQuotes(*token, 40) + " in " + std::string(statement.keyword) + " is not a finite number" +
+                            (unusualCharacter(*token) ? unusualCharacterHint(*token) : "; write a number such as 0.8"));
             values[count++] = clamped(*value, statement);
         }
         if (count == 0) lines_.fail(std::string(statement.keyword) + " has no number; write one after it");

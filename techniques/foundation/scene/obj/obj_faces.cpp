@@ -5,6 +5,7 @@
 #include "techniques/foundation/scene/obj/obj_faces.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <unordered_set>
@@ -18,6 +19,10 @@
 #include "techniques/foundation/scene/load/file_access.h"
 #include "techniques/foundation/scene/load/image_files.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/load/misnamed_files.h"
+#include "techniques/foundation/scene/load/text_encoding.h"
+#include "techniques/foundation/scene/obj/library_names.h"
+#include "techniques/foundation/scene/obj/material_names.h"
 #include "techniques/foundation/scene/obj/mtl_clean.h"
 
 namespace shadowlab::scene {
@@ -29,21 +34,22 @@ class GuardedMaterialReader : public tinyobj::MaterialReader {
 public:
     GuardedMaterialReader(const ObjScan& scan, const std::filesystem::path& file, const LoadOptions& options,
                           std::vector<std::string>& notes)
-        : scan_(scan), file_(file), options_(options), folders_(file, options), notes_(notes) {}
+        : scan_(scan), file_(file), options_(options), folders_(file, options), misnamed_(folders_), notes_(notes) {}
 
     /// `number` is the index into `scan.libraries` that the scan wrote in place of the name.
     bool operator()(const std::string& number, std::vector<tinyobj::material_t>* materials,
                     std::map<std::string, int>* materialIndex, std::string* warning, std::string* error) override {
         const ObjReference& library = scan_.libraries.at(std::stoul(number));
         bool found = false;
-        for (const std::string& name : candidates(library)) {
+        for (const std::string& written : libraryNames(library.name, misnamed_)) {
+            const std::string name = asFound(written, library);
             const std::filesystem::path path = allowed(name, library);
             if (!read_.insert(*folders_.resolve(name)).second) continue; // one line may name it ten thousand times
             std::error_code ignored;
             const std::filesystem::file_status status = std::filesystem::status(path, ignored);
             if (!std::filesystem::exists(status)) {
-                notes_.push_back(place(library) + ": material file \"" + shown(name) +
-                                 "\" is missing; its materials are drawn in the default grey");
+                notes_.push_back(place(library) + ": material file \"" + shown(name) + "\" is missing" +
+                                 misnamed_.severalAlike() + "; its materials are drawn in the default grey");
                 continue;
             }
             if (std::filesystem::is_directory(status))
@@ -52,7 +58,7 @@ public:
             if (const std::string why = whyUnreadable(path); !why.empty())
                 throw Error(ExitStatus::badInput, place(library) + ": material file \"" + shown(name) + "\" " + why +
                                                       "; name a readable file");
-            const std::string text = readFile(path, options_.limits.materialFileBytes, "material-file");
+            const std::string text = utf8Text(readFile(path, options_.limits.materialFileBytes, "material-file"), path);
             image::keepInput(path);
             CleanMtl clean = cleanMtl(text, path, options_.limits, notes_);
             requireMemoryFor(materials_ += clean.names.size(), path);
@@ -60,8 +66,10 @@ public:
             const std::size_t before = materials->size();
             tinyobj::LoadMtl(materialIndex, materials, &statements, warning, error);
             for (std::size_t i = before; i < materials->size(); ++i)
-                if (std::string& numbered = (*materials)[i].name; !numbered.empty())
+                if (std::string& numbered = (*materials)[i].name; !numbered.empty()) {
                     numbered = clean.names.at(std::stoul(numbered));
+                    folderOf_.try_emplace(numbered, std::filesystem::path(name).parent_path());
+                }
             more_.merge(clean.more); // as for the materials, the first library to define one counts
             found = true;
         }
@@ -75,18 +83,39 @@ public:
         return found == more_.end() ? none : found->second;
     }
 
+    /// The name under which there is such a picture: beside the material's file, else beside the OBJ file, else under another
+    /// spelling in either folder. As it is written where there is none.
+    [[nodiscard]] std::string pictureAsFound(const MtlMap& map, const std::string& material) {
+        const std::string& written = map.file;
+        const auto folder = folderOf_.find(material);
+        const std::string ofLibrary = folder == folderOf_.end() ? std::string() : folder->second.native();
+        if (!ofLibrary.empty() && !std::filesystem::path(written).is_absolute())
+            if (std::string beside = ofLibrary + "/" + written; misnamed_.isThere(beside)) return beside;
+        if (misnamed_.isThere(written)) return written;
+        for (const std::string& inFolder : {ofLibrary, std::string()})
+            if (const auto found = misnamed_.find(written, inFolder)) {
+                misnamedPictures_.add(map.place, written, *found);
+                return *found;
+            }
+        return written;
+    }
+
+    /// On files that were found under another name.
+    void noteMisnamed() {
+        misnamedLibraries_.appendTo(notes_);
+        misnamedPictures_.appendTo(notes_);
+    }
+
 private:
-    /// A library name may hold blanks, and one line may name several files: the whole line is tried first.
-    [[nodiscard]] std::vector<std::string> candidates(const ObjReference& library) const {
-        std::vector<std::string> names;
-        std::istringstream words(library.name);
-        for (std::string word; words >> word;)
-            names.push_back(word);
-        std::error_code ignored;
-        if (names.size() > 1)
-            if (const auto whole = folders_.resolve(library.name); whole && std::filesystem::exists(*whole, ignored))
-                names.assign(1, library.name);
-        return names;
+    /// The name under which there is such a file; as it is written where there is none.
+    [[nodiscard]] std::string asFound(const std::string& written, const ObjReference& library) {
+        if (!misnamed_.isThere(written))
+            if (const auto found = misnamed_.find(written)) {
+                misnamedLibraries_.add(place(library),
+                                       library.name.find('#') == std::string::npos ? written : library.name, *found);
+                return *found;
+            }
+        return written;
     }
 
     /// The file as the OBJ file's path and the name in it give it, to open and to name in messages.
@@ -112,6 +141,10 @@ private:
     const std::filesystem::path& file_;
     const LoadOptions& options_;
     AllowedFolders folders_;
+    MisnamedFiles misnamed_;
+    MisnamedFilesNote misnamedLibraries_{"material file"}, misnamedPictures_{"picture"};
+    std::map<std::string, std::filesystem::path>
+        folderOf_;                         ///< of a material: that of its file, relative to the OBJ file's
     std::set<std::filesystem::path> read_; ///< canonical
     std::uint64_t materials_ = 0;          ///< of them all
     std::map<std::string, MtlStatements> more_;
@@ -178,8 +211,8 @@ Material converted(const tinyobj::material_t& mtl, const MtlStatements& more) {
 /// Reads the images that materials name. One that cannot be read is a note, and the material has none: the mesh is usable without it.
 class MtlImages {
 public:
-    MtlImages(const AllowedFolders& folders, const Limits& limits, std::vector<std::string>& notes)
-        : folders_(folders), limits_(limits), notes_(notes) {}
+    MtlImages(GuardedMaterialReader& reader, const AllowedFolders& folders, const Limits& limits, std::vector<std::string>& notes)
+        : reader_(reader), folders_(folders), limits_(limits), notes_(notes) {}
 
     void read(const MtlStatements& statements, Material& material) {
         if (const auto& map = statements.alphaMap) {
@@ -202,7 +235,7 @@ private:
             notes_.push_back(map.place + ": material '" + shown(material.name) + "': " + keyword + " \"" + shown(map.file) +
                              "\" is ignored: " + why);
         };
-        const auto resolved = folders_.resolve(map.file);
+        const auto resolved = folders_.resolve(reader_.pictureAsFound(map, material.name));
         if (!resolved) return ignore("it " + std::string(kOutsideMessage));
         if (const std::string fault = whyUnreadable(*resolved); !fault.empty()) return ignore("it " + fault);
         try {
@@ -213,11 +246,39 @@ private:
         }
     }
 
+    GuardedMaterialReader& reader_;
     const AllowedFolders& folders_;
     const Limits& limits_;
     std::vector<std::string>& notes_;
     ImageFiles files_;
 };
+
+/// Gives materials that usemtl names with quotes, a comment or in another case the name that a library defines, and notes it.
+/// They are known after that, if not under their own name.
+void nameAsDefined(const ObjScan& scan, const std::filesystem::path& file, std::unordered_set<std::string>& known,
+                   ObjFaces& faces) {
+    std::optional<MaterialNames> names; // only a file with unknown materials needs it
+    std::map<std::string, std::string> meant;
+    std::string note;
+    for (const ObjReference& used : scan.usedMaterials) {
+        if (known.contains(used.name)) continue;
+        if (!names) names.emplace(known);
+        const auto name = names->meant(used.name);
+        if (!name) continue;
+        meant.emplace(used.name, *name);
+        if (meant.size() == 1)
+            note = shownPath(file) + ":" + std::to_string(used.line) + ": no material file defines '" +
+                   shown(used.name) + "'; " + (name->empty() ? "the default material" : "'" + shown(*name) + "'") +
+                   " is taken for it";
+    }
+    if (meant.empty()) return;
+    faces.notes.push_back(note +
+                          (meant.size() > 1 ? " (and so for " + counted(meant.size() - 1, "other name") + ")" : ""));
+    for (std::string& name : faces.materialNames)
+        if (const auto found = meant.find(name); found != meant.end()) name = found->second;
+    for (const auto& [used, name] : meant)
+        known.insert(used);
+}
 
 /// One note for all materials that usemtl names and no library defines.
 void noteUnknownMaterials(const ObjScan& scan, const std::filesystem::path& file,
@@ -234,12 +295,27 @@ void noteUnknownMaterials(const ObjScan& scan, const std::filesystem::path& file
         "'" + (unknown > 1 ? " (and " + counted(unknown - 1, "other") + ")" : "") + "; drawn in the default grey");
 }
 
+/// Without an mtllib line, materials are in the file that has the mesh's name, as exporters call it: taken where there is one.
+void takeLibraryOfSameName(ObjScan& scan, const std::filesystem::path& file, const LoadOptions& options,
+                           std::vector<std::string>& notes) {
+    if (!scan.libraries.empty() || scan.usedMaterials.empty()) return;
+    const AllowedFolders folders(file, options);
+    const auto found = MisnamedFiles(folders).find(file.stem().native() + ".mtl");
+    if (!found) return;
+    const std::size_t line = scan.usedMaterials.front().line;
+    notes.push_back(shownPath(file) + ":" + std::to_string(line) + ": no mtllib names a material file; " +
+                    inQuotes(*found) + " beside the mesh is read");
+    scan.libraries.push_back({*found, line});
+    scan.statements.insert(0, "mtllib 0\n");
+}
+
 } // namespace
 
 ObjFaces readFaces(ObjScan& scan, const std::filesystem::path& file, const LoadOptions& options) {
     Collector collector{.scan = scan, .faces = {}, .materials = {}, .materialIndex = {}};
     collector.faces.firstCorner.push_back(0);
     collector.indexOf(""); // faces before the first usemtl
+    takeLibraryOfSameName(scan, file, options, collector.faces.notes);
     tinyobj::callback_t callbacks;
     callbacks.index_cb = Collector::face;
     callbacks.usemtl_cb = Collector::useMaterial;
@@ -253,7 +329,7 @@ ObjFaces readFaces(ObjScan& scan, const std::filesystem::path& file, const LoadO
                                               "; export the mesh again");
 
     const AllowedFolders folders(file, options);
-    MtlImages images(folders, options.limits, collector.faces.notes);
+    MtlImages images(materialReader, folders, options.limits, collector.faces.notes);
     std::unordered_set<std::string> known;
     for (const tinyobj::material_t& mtl : collector.materials) {
         if (mtl.name.empty() || !known.insert(mtl.name).second)
@@ -262,6 +338,8 @@ ObjFaces readFaces(ObjScan& scan, const std::filesystem::path& file, const LoadO
         collector.faces.materials.push_back(converted(mtl, more));
         images.read(more, collector.faces.materials.back());
     }
+    materialReader.noteMisnamed();
+    nameAsDefined(scan, file, known, collector.faces);
     noteUnknownMaterials(scan, file, known, collector.faces);
     return std::move(collector.faces);
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/load/unusual_characters.h"
 #include "techniques/foundation/scene/obj/statement_lines.h"
 
 namespace shadowlab::scene {
@@ -25,8 +26,10 @@ public:
         std::int64_t index = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
         if (error != std::errc{} || end != text.data() + text.size())
-            lines.fail(inQuotes(text, 40) + " is not a valid " + what_ +
-                       " index; write a whole number from 1 to the number of \"" + statement_ + "\" lines");
+            lines.fail(inQuotes(text, 40) + " is not a valid " + what_ + " index" +
+                       (unusualCharacter(text)
+                            ? unusualCharacterHint(text)
+                            : "; write a whole number from 1 to the number of \"" + statement_ + "\" lines"));
         if (index == 0) lines.fail(what_ + " index 0; OBJ counts from 1 (or from -1 backwards)");
         if (index < 0) {
             if (static_cast<std::uint64_t>(-(index + 1)) >= count)

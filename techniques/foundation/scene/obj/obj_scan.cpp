@@ -9,7 +9,9 @@
 
 #include "techniques/foundation/image/image.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/load/unusual_characters.h"
 #include "techniques/foundation/scene/obj/obj_indices.h"
+#include "techniques/foundation/scene/obj/other_statements.h"
 #include "techniques/foundation/scene/obj/statement_lines.h"
 
 namespace shadowlab::scene {
@@ -37,11 +39,13 @@ private:
     void normal();
     void texcoord();
     void face();
-    std::string_view name(std::string_view what);
+    void useMaterial();
+    void useLibrary();
     void checkEnd();
     void noteUnusableNormals();
 
     StatementLines lines_;
+    OtherStatements others_;
     const Limits& limits_;
     std::size_t textBytes_;
     ObjScan scan_;
@@ -61,6 +65,8 @@ std::size_t Scanner::readNumbers(std::array<double, 8>& numbers) {
         if (!number && token->find(',') != std::string_view::npos)
             lines_.fail(inQuotes(*token, kShownToken) +
                         " is not a number; write a decimal point, as in 1.5, and blanks between numbers");
+        if (!number && unusualCharacter(*token))
+            lines_.fail(inQuotes(*token, kShownToken) + " is not a number" + unusualCharacterHint(*token));
         if (!number)
             lines_.fail(inQuotes(*token, kShownToken) + " is not a number; write a number such as 1.5 or -2e-3");
         if (count < numbers.size()) numbers[count] = *number;
@@ -176,10 +182,22 @@ void Scanner::face() {
                     ExitStatus::overLimit);
 }
 
-std::string_view Scanner::name(std::string_view what) {
-    const std::string_view rest = lines_.restOfLine();
-    if (rest.empty()) lines_.fail(std::string(what) + " without a name; write one after it or delete the line");
-    return rest;
+void Scanner::useMaterial() {
+    const std::string material(lines_.restOfLine());
+    scan_.statements +=
+        "usemtl " + material + "\n"; // without a name: what stands before the first usemtl has none either
+    if (material.empty())
+        others_.count(lines_, "usemtl has no name; the faces after it get the default material");
+    else if (materialsSeen_.insert(material).second)
+        scan_.usedMaterials.push_back({material, lines_.line()});
+}
+
+void Scanner::useLibrary() {
+    const std::string library(lines_.restOfLine());
+    if (library.empty()) return others_.count(lines_, "mtllib has no name and is ignored");
+    if (!librariesSeen_.insert(library).second) return;
+    scan_.statements += "mtllib " + std::to_string(scan_.libraries.size()) + "\n";
+    scan_.libraries.push_back({library, lines_.line()});
 }
 
 void Scanner::checkEnd() {
@@ -195,9 +213,11 @@ void Scanner::checkEnd() {
         throw Error(ExitStatus::badInput, lines_.place(1) + ": " + message);
     };
     if (textBytes_ == 0) refuse("the file is empty, it has no faces; export the mesh again");
+    if (others_.isCloseFault()) others_.failAtFault(lines_);
     if (positions_.count == 0 && faces_ == 0)
         refuse("is not an OBJ file (it has no v or f lines); give a Wavefront OBJ");
-    if (faces_ == 0) refuse("the file has no faces (f lines); export the mesh with its faces");
+    if (faces_ == 0)
+        refuse("the file has no faces (f lines)" + others_.firstUndrawn() + "; export the mesh with its faces");
 }
 
 void Scanner::noteUnusableNormals() {
@@ -212,7 +232,7 @@ ObjScan Scanner::run() {
         const std::string_view keyword = lines_.keyword();
         if (keyword == "v")
             position();
-        else if (keyword == "f")
+        else if (keyword == "f" || keyword == "fo") // fo: as f was called in version 2.11 of the format
             face();
         else if (keyword == "vn")
             normal();
@@ -220,21 +240,18 @@ ObjScan Scanner::run() {
             texcoord();
         else if (keyword == "s")
             smoothingGroup();
-        else if (keyword == "usemtl") {
-            const std::string material(name("usemtl"));
-            scan_.statements += "usemtl " + material + "\n";
-            if (materialsSeen_.insert(material).second) scan_.usedMaterials.push_back({material, lines_.line()});
-        } else if (keyword == "mtllib") {
-            const std::string library(name("mtllib"));
-            if (!librariesSeen_.insert(library).second) continue;
-            scan_.statements += "mtllib " + std::to_string(scan_.libraries.size()) + "\n";
-            scan_.libraries.push_back({library, lines_.line()});
-        }
-        // All other statements (o, g, l, p, vp, vw, curves ...) do not matter for shadows.
+        else if (keyword == "usemtl")
+            useMaterial();
+        else if (keyword == "mtllib")
+            useLibrary();
+        else
+            others_.take(lines_);
+        if (others_.hasFault() && positions_.count + faces_ > 0) others_.failAtFault(lines_);
     }
     checkEnd();
     noteUnusableNormals();
     scaleColors();
+    scan_.notes = others_.notes(lines_);
     return std::move(scan_);
 }
 

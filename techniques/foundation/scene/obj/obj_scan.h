@@ -34,6 +34,7 @@ struct ObjScan {
     std::string statements;
     std::size_t unusableNormals = 0; ///< vn without a direction that faces use
     std::size_t unusableNormalLine = 0;
+    std::vector<std::string> notes; ///< on statements that change nothing here, one for each kind
 };
 
 /// Throws Error "FILE:LINE: ..." at the first fault. A face may stand before the vertices it names by positive index;

@@ -109,13 +109,27 @@ std::int64_t powerOfTen(std::string_view number) {
     return (first < point ? point - first : point + 1 - first) + std::clamp(exponent, -kBeyondAll, kBeyondAll);
 }
 
+/// NaN and infinity as programs of Microsoft's C library wrote them before 2015: 1.#QNAN, -1.#IND, 1.#INF, with digits behind, or
+/// "rounded", such as 1.#R and -1.#J.
+std::optional<double> readWindowsNan(std::string_view token) {
+    if (token.starts_with('-') || token.starts_with('+')) token.remove_prefix(1);
+    if (!token.starts_with("1.#") || token.size() < 4) return std::nullopt;
+    token.remove_prefix(3);
+    const auto isAllowed = [](char c) {
+        return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+' || c == '-';
+    };
+    if (!std::ranges::all_of(token, isAllowed)) return std::nullopt;
+    return token.starts_with("INF") ? std::numeric_limits<double>::infinity()
+                                    : std::numeric_limits<double>::quiet_NaN();
+}
+
 } // namespace
 
 std::optional<double> readNumber(std::string_view token) {
     if (token.starts_with('+') && !token.starts_with("+-")) token.remove_prefix(1); // from_chars knows no plus sign
     double value = 0.0;
     const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
-    if (error == std::errc::invalid_argument || end != token.data() + token.size()) return std::nullopt;
+    if (error == std::errc::invalid_argument || end != token.data() + token.size()) return readWindowsNan(token);
     if (error == std::errc::result_out_of_range) {
         const std::string_view size = token.starts_with('-') ? token.substr(1) : token;
         return powerOfTen(size) <= 0 ? 0.0 : std::numeric_limits<double>::infinity();

@@ -51,7 +51,7 @@ private:
 };
 
 /// A decimal number as all of `token`, read correctly rounded and whatever the locale. Nothing when it is no number;
-/// infinity when it is too large for double, NaN when it says so. Too small is zero.
+/// infinity when it is too large for double, NaN when it says so (also as 1.#QNAN). Too small is zero.
 std::optional<double> readNumber(std::string_view token);
 
 } // namespace shadowlab::scene
