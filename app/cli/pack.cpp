@@ -30,12 +30,14 @@ void describePack(DescribedOptions& add) {
     describeScene(add);
     add.option("-o,--output", "DIR", "the folder to be made; it is not there yet");
     add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
-    add.footer("Writes DIR/NAME.json, meshes and their material files in DIR/meshes, images in textures. All paths are relative, "
-               "so that the folder can be moved, and nothing has to be allowed. The pictures stay the same, to the byte.\n"
-               "Examples:\n"
-               "  shadowlab pack bunny.obj -o lesson-on-bunnies\n"
-               "  shadowlab pack still-life -o my-still-life\n"
-               "  shadowlab pack mine.json --allow ~/models -o travels");
+    add.footer(
+        "Writes DIR/NAME.json, meshes and their material files in DIR/meshes, images in textures. All paths are "
+        "relative, "
+        "so that the folder can be moved, and nothing has to be allowed. The pictures stay the same, to the byte.\n"
+        "Examples:\n"
+        "  shadowlab pack bunny.obj -o lesson-on-bunnies\n"
+        "  shadowlab pack still-life -o my-still-life\n"
+        "  shadowlab pack mine.json --allow ~/models -o travels");
 }
 
 PackOptions packOptions(const GivenOptions& given) {
@@ -71,9 +73,10 @@ int pack(const PackOptions& options) {
         const scene::Snapshot read = scene::loadScene((folder / packed.file).string(), alone);
         context::throwIfInterrupted();
         if (digestOfLook(*read) != digestOfLook(*scene))
-            throw Error(ExitStatus::bug, scene::shown(options.scene, 4096) +
-                                             ": the packed scene is not the same as this one; this is a fault of the program, "
-                                             "please report it with the scene");
+            throw Error(ExitStatus::bug,
+                        scene::shown(options.scene, 4096) +
+                            ": the packed scene is not the same as this one; this is a fault of the program, "
+                            "please report it with the scene");
     });
     for (const std::string& remark : scene->notes)
         note(remark);
@@ -88,7 +91,7 @@ Work packWork(const GivenOptions& given) {
 
 } // namespace
 
-const Command kPack{"pack", "SCENE", "A scene and all its files in one folder, which can be taken anywhere", describePack,
-                    packWork};
+const Command kPack{"pack", "SCENE", "A scene and all its files in one folder, which can be taken anywhere",
+                    describePack, packWork};
 
 } // namespace shadowlab::cli

@@ -31,8 +31,9 @@ protected:
             folder.write("models/" + name + "/thing.obj",
                          "# mesh " + name + "\nmtllib ../shared mats/m " + name + ".mtl\n" + kTetrahedron +
                              "usemtl m\nf 1/1 3/2 2/3\nf 1/1 2/2 4/3\nf 1/1 4/2 3/3\nf 2/1 3/2 4/3\n");
-            folder.write("models/shared mats/m " + name + ".mtl", "newmtl m\r\nKd 0.8 0.2 0." + std::string(name == "a" ? "1" : "9") +
-                                                                      "\r\nmap_d -clamp on ../images/leaf.png\r\nmap_Ks gone.png\r\n");
+            folder.write("models/shared mats/m " + name + ".mtl",
+                         "newmtl m\r\nKd 0.8 0.2 0." + std::string(name == "a" ? "1" : "9") +
+                             "\r\nmap_d -clamp on ../images/leaf.png\r\nmap_Ks gone.png\r\n");
         }
         folder.write("models/images/leaf.png", mask);
     }
@@ -52,20 +53,24 @@ protected:
 };
 
 TEST_F(PackTest, DrawsTheSameBytesFromElsewhereWithoutAllow) {
-    const Words techniques[] = {{"-t", "shadow-map"}, {"-t", "ray-traced"}, {"-t", "planar"}, {"-t", "shadow-volume"}, {"-t", "radiosity"}};
+    const Words techniques[] = {
+        {"-t", "shadow-map"}, {"-t", "ray-traced"}, {"-t", "planar"}, {"-t", "shadow-volume"}, {"-t", "radiosity"}};
     std::vector<std::string> before;
     for (Words words : techniques) {
         words.insert(words.end(), {"--allow", "models"});
         before.push_back(picture("scenes/mine.json", words));
     }
     const ProgramResult result = succeed({"pack", "scenes/mine.json", "--allow", "models", "-o", "packed"});
-    EXPECT_EQ(result.out, "Written: packed/mine.json and 6 files that it is made of\n"); // 2 meshes, 2 libraries, 2 images
+    EXPECT_EQ(
+        result.out,
+        "Written: packed/mine.json and 7 files that it is made of\n"); // 2 meshes, each with library and image, and the scene's own image
     moveAway("packed", "far/away");
     std::filesystem::remove_all(folder.path() / "models");
     std::filesystem::remove_all(folder.path() / "scenes");
     for (std::size_t i = 0; i < std::size(techniques); ++i)
         EXPECT_EQ(picture("far/away/mine.json", techniques[i]), before[i]) << techniques[i][1];
-    EXPECT_TRUE(scene::contains(fileContent(folder.path() / "far/away/mine.json"), "// kept, as all that is written here"));
+    EXPECT_TRUE(
+        scene::contains(fileContent(folder.path() / "far/away/mine.json"), "// kept, as all that is written here"));
     for (const auto& [name, content] : listing())
         if (name.starts_with("far/") && !name.ends_with(".png")) {
             EXPECT_FALSE(scene::contains(content, "../models")) << name;
@@ -74,7 +79,8 @@ TEST_F(PackTest, DrawsTheSameBytesFromElsewhereWithoutAllow) {
 
 TEST_F(PackTest, ABareMeshIsPackedAsItIsStaged) {
     // Parts with a material of the file, and one without, which is clay.
-    folder.write("models/a/part.obj", std::string("mtllib part.mtl\n") + kTetrahedron + "f 1 3 2\nf 1 2 4\nusemtl red\nf 1 4 3\nf 2 3 4\n");
+    folder.write("models/a/part.obj",
+                 std::string("mtllib part.mtl\n") + kTetrahedron + "f 1 3 2\nf 1 2 4\nusemtl red\nf 1 4 3\nf 2 3 4\n");
     folder.write("models/a/part.mtl", "newmtl red\nKd 0.8 0.1 0.1\n");
     const std::string before = picture("models/a/part.obj", {"-t", "ray-traced"});
     EXPECT_EQ(succeed({"pack", "models/a/part.obj", "-o", "packed/"}).err, "");

@@ -20,12 +20,14 @@ std::string ribbedBall(int sx, int sy, int sz) {
             const double t = std::numbers::pi * row / kRows, p = 2 * std::numbers::pi * column / kColumns;
             const double radius = 0.5 * (1 + 0.2 * std::sin(3 * p) * std::sin(t));
             obj += "v " + std::to_string(sx * exact(radius * std::sin(t) * std::cos(p))) + " " +
-                   std::to_string(sy * exact(radius * std::cos(t))) + " " + std::to_string(sz * exact(radius * std::sin(t) * std::sin(p))) + "\n";
+                   std::to_string(sy * exact(radius * std::cos(t))) + " " +
+                   std::to_string(sz * exact(radius * std::sin(t) * std::sin(p))) + "\n";
         }
     for (int row = 0; row < kRows; ++row)
         for (int column = 0; column < kColumns; ++column) {
             const int next = (column + 1) % kColumns, above = row * kColumns + 1, below = above + kColumns;
-            for (const auto& [a, b, c] : {std::array{above + column, above + next, below + next}, std::array{above + column, below + next, below + column}})
+            for (const auto& [a, b, c] : {std::array{above + column, above + next, below + next},
+                                          std::array{above + column, below + next, below + column}})
                 obj += "f " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
         }
     return obj;
@@ -34,11 +36,14 @@ std::string ribbedBall(int sx, int sy, int sz) {
 class StretchedNormalsTest : public CommandTest {
 protected:
     image::Image picture(const std::string& mesh, const std::string& scale, const std::string& technique) const {
-        folder.write("s.json", R"({"camera": {"position": [2, 2, 4], "target": [0, 0.8, 0]}, "ambient": [0.05, 0.05, 0.05],
+        folder.write(
+            "s.json",
+            R"({"camera": {"position": [2, 2, 4], "target": [0, 0.8, 0]}, "ambient": [0.05, 0.05, 0.05],
   "lights": [{"type": "point", "position": [2, 4, 3], "intensity": 40}],
   "materials": {"m": {"diffuse": [0.7, 0.6, 0.5], "specular": [0.4, 0.4, 0.4], "shininess": 60}},
-  "objects": [{"shape": "quad", "size": [8, 8]}, {"mesh": ")" + mesh + R"(", "scale": )" + scale +
-                                   R"(, "normals": "smooth", "material": "m", "translate": [0, 1.2, 0], "rotateDegrees": [0, 20, 10]}]})");
+  "objects": [{"shape": "quad", "size": [8, 8]}, {"mesh": ")" +
+                mesh + R"(", "scale": )" + scale +
+                R"(, "normals": "smooth", "material": "m", "translate": [0, 1.2, 0], "rotateDegrees": [0, 20, 10]}]})");
         succeed({"capture", "s.json", "-o", "x.png", "--size", "320x240", "-t", technique});
         return decoded(fileContent(folder.path() / "x.png")).image;
     }

@@ -11,11 +11,14 @@ namespace {
 
 std::shared_ptr<const Scene> sceneWith(const std::string& camera, const std::string& objects) {
     const TempFolder folder;
-    return loadScene(folder.write("s.json", "{\"camera\": {" + camera + "}, \"objects\": [" + objects + "]}").string(), {});
+    return loadScene(folder.write("s.json", "{\"camera\": {" + camera + "}, \"objects\": [" + objects + "]}").string(),
+                     {});
 }
 
 TEST(DefaultNear, IsATenthOfAMetreWhereNothingIsNearer) {
-    EXPECT_EQ(sceneWith(R"("position": [0, 2, 6], "target": [0, 1, 0])", R"({"shape": "box", "size": [1, 1, 1]})")->camera.near, 0.1);
+    EXPECT_EQ(sceneWith(R"("position": [0, 2, 6], "target": [0, 1, 0])", R"({"shape": "box", "size": [1, 1, 1]})")
+                  ->camera.near,
+              0.1);
     EXPECT_EQ(sceneWith(R"("position": [0, 2, 6], "target": [0, 1, 0])", "")->camera.near, 0.1);
 }
 

@@ -43,7 +43,8 @@ TEST(EmptyView, BehindTheCamera) {
 
 TEST(EmptyView, OutsideOfTheFieldOfView) {
     Scene scene = boxAt({20, 0, -5});
-    expectSaid(why(scene), {"outside of its field of view", "76 degrees off", "\"target\": [20, 0, -5]", "\"fovYDegrees\""});
+    expectSaid(why(scene),
+               {"outside of its field of view", "76 degrees off", "\"target\": [20, 0, -5]", "\"fovYDegrees\""});
     scene.camera.targetWorld = {20, 0, -5};
     EXPECT_EQ(why(scene), "");
 }
@@ -61,6 +62,7 @@ TEST(EmptyView, TooSmallForAPixel) {
     Scene scene = boxAt({0, 0, -100}, 0.001);
     expectSaid(why(scene), {"too small to cover a pixel's centre", "pixels across, 100 m away", "times nearer to"});
     scene.camera.positionWorld = {0, 0, -99.99};
+    scene.camera.targetWorld = {0, 0, -100};
     scene.camera.near = 1e-4;
     EXPECT_EQ(why(scene), "");
 }

@@ -16,8 +16,11 @@ std::shared_ptr<const Scene> sceneOf(const std::string& lights, const std::strin
     const TempFolder folder;
     folder.write("open.obj", "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
                              "f 5 6 7 8\nf 1 5 8 4\nf 2 3 7 6\nf 4 8 7 3\nf 1 4 3 2\n"); // no bottom
-    return loadScene(
-        folder.write("s.json", "{\"camera\": {" + camera + "}, \"lights\": [" + lights + "], \"objects\": [" + objects + "]}").string(), {});
+    return loadScene(folder
+                         .write("s.json", "{\"camera\": {" + camera + "}, \"lights\": [" + lights +
+                                              "], \"objects\": [" + objects + "]}")
+                         .string(),
+                     {});
 }
 
 constexpr const char* kBulb = R"({"type": "point", "name": "bulb", "position": [0, 1.6, 0], "intensity": 12})";
@@ -32,12 +35,16 @@ TEST(HiddenLights, ABulbInItsGlobeIsTold) {
 
 TEST(HiddenLights, WhatLetsLightOutIsNotTold) {
     EXPECT_TRUE(notesOnHiddenLights(*sceneOf(kBulb, std::string(kGlobe) + ", \"castsShadow\": false}")).empty());
-    EXPECT_TRUE(notesOnHiddenLights(*sceneOf(kBulb, R"({"mesh": "open.obj", "scale": 0.4, "translate": [0, 1.6, 0]})")).empty())
+    EXPECT_TRUE(
+        notesOnHiddenLights(*sceneOf(kBulb, R"({"mesh": "open.obj", "scale": 0.4, "translate": [0, 1.6, 0]})")).empty())
         << "a shade without a bottom";
-    EXPECT_TRUE(notesOnHiddenLights(*sceneOf(R"({"type": "sphere", "position": [0, 1.6, 0], "radius": 0.5})", std::string(kGlobe) + "}"))
+    EXPECT_TRUE(notesOnHiddenLights(*sceneOf(R"({"type": "sphere", "position": [0, 1.6, 0], "radius": 0.5})",
+                                             std::string(kGlobe) + "}"))
                     .empty())
         << "the lamp is larger than the ball in it";
-    EXPECT_TRUE(notesOnHiddenLights(*sceneOf(R"({"type": "directional", "direction": [0, -1, 0]})", std::string(kGlobe) + "}")).empty());
+    EXPECT_TRUE(
+        notesOnHiddenLights(*sceneOf(R"({"type": "directional", "direction": [0, -1, 0]})", std::string(kGlobe) + "}"))
+            .empty());
 }
 
 TEST(HiddenLights, ARoomAroundTheEyeIsNoCasterThatHides) {
@@ -59,19 +66,24 @@ TEST(HiddenLights, AShellWithTwoWallsHidesToo) {
     const TempFolder folder;
     folder.write("shell.obj", obj);
     const auto scene = loadScene(
-        folder.write("s.json", std::string("{\"camera\": {\"position\": [0, 2, 6], \"target\": [0, 1, 0]}, \"lights\": [") + kBulb +
-                                   "], \"objects\": [{\"mesh\": \"shell.obj\", \"translate\": [0, 1.6, 0]}]}").string(), {});
+        folder
+            .write("s.json",
+                   std::string("{\"camera\": {\"position\": [0, 2, 6], \"target\": [0, 1, 0]}, \"lights\": [") + kBulb +
+                       "], \"objects\": [{\"mesh\": \"shell.obj\", \"translate\": [0, 1.6, 0]}]}")
+            .string(),
+        {});
     EXPECT_EQ(notesOnHiddenLights(*scene).size(), 1u);
 }
 
 /// A box on a floor under a lamp, all lengths times `scale`, and the lamp as it would be in metres.
 std::string unitNote(double scale, double intensity = 40) {
     const auto number = [&](double metres) { return std::to_string(scale * metres); };
-    return noteOnUnits(*sceneOf(
-        "{\"type\": \"point\", \"position\": [0, " + number(4) + ", 0], \"intensity\": " + std::to_string(intensity) + "}",
-        "{\"shape\": \"quad\", \"size\": [" + number(12) + ", " + number(12) + "]}, {\"shape\": \"box\", \"size\": [" + number(2) + ", " +
-            number(1) + ", " + number(1) + "]}",
-        "\"position\": [0, " + number(2) + ", " + number(6) + "], \"target\": [0, " + number(1) + ", 0]"));
+    return noteOnUnits(
+        *sceneOf("{\"type\": \"point\", \"position\": [0, " + number(4) +
+                     ", 0], \"intensity\": " + std::to_string(intensity) + "}",
+                 "{\"shape\": \"quad\", \"size\": [" + number(12) + ", " + number(12) +
+                     "]}, {\"shape\": \"box\", \"size\": [" + number(2) + ", " + number(1) + ", " + number(1) + "]}",
+                 "\"position\": [0, " + number(2) + ", " + number(6) + "], \"target\": [0, " + number(1) + ", 0]"));
 }
 
 TEST(UnitNotes, MillimetresAndKilometresAreTold) {
@@ -84,7 +96,8 @@ TEST(UnitNotes, MillimetresAndKilometresAreTold) {
 TEST(UnitNotes, SizeAloneProvesNothing) {
     EXPECT_EQ(unitNote(1000, 40e6), "") << "a valley with lights that reach across it";
     EXPECT_EQ(unitNote(0.001, 40e-6), "") << "a watch under a lamp of its size";
-    const auto terrain = sceneOf(R"({"type": "directional", "direction": [0, -1, 0]})", R"({"shape": "box", "size": [5000, 900, 5000]})");
+    const auto terrain = sceneOf(R"({"type": "directional", "direction": [0, -1, 0]})",
+                                 R"({"shape": "box", "size": [5000, 900, 5000]})");
     EXPECT_EQ(noteOnUnits(*terrain), "") << "the sun is as bright in any unit";
 }
 

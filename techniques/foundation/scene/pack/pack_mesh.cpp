@@ -29,15 +29,18 @@ struct MapOption {
     int values;
     bool numbers;
 };
-constexpr std::array kMapOptions{MapOption{"-o", 3, true},        MapOption{"-s", 3, true},       MapOption{"-t", 3, true},
-                                 MapOption{"-mm", 2, true},       MapOption{"-bm", 1, true},      MapOption{"-boost", 1, true},
-                                 MapOption{"-texres", 1, true},   MapOption{"-clamp", 1, false},  MapOption{"-cc", 1, false},
-                                 MapOption{"-blendu", 1, false},  MapOption{"-blendv", 1, false}, MapOption{"-imfchan", 1, false},
-                                 MapOption{"-type", 1, false},    MapOption{"-colorspace", 1, false}};
+constexpr std::array kMapOptions{
+    MapOption{"-o", 3, true},       MapOption{"-s", 3, true},          MapOption{"-t", 3, true},
+    MapOption{"-mm", 2, true},      MapOption{"-bm", 1, true},         MapOption{"-boost", 1, true},
+    MapOption{"-texres", 1, true},  MapOption{"-clamp", 1, false},     MapOption{"-cc", 1, false},
+    MapOption{"-blendu", 1, false}, MapOption{"-blendv", 1, false},    MapOption{"-imfchan", 1, false},
+    MapOption{"-type", 1, false},   MapOption{"-colorspace", 1, false}};
 
 constexpr std::string_view kBlanks = " \t";
 
-std::string_view firstWord(std::string_view text) { return text.substr(0, std::min(text.find_first_of(kBlanks), text.size())); }
+std::string_view firstWord(std::string_view text) {
+    return text.substr(0, std::min(text.find_first_of(kBlanks), text.size()));
+}
 
 std::string_view withoutFirstWord(std::string_view text) {
     text.remove_prefix(firstWord(text).size());

@@ -28,7 +28,8 @@ public:
 
 private:
     std::filesystem::path root_;
-    std::map<std::pair<std::filesystem::path, std::filesystem::path>, std::filesystem::path> places_; ///< by folder and source
+    std::map<std::pair<std::filesystem::path, std::filesystem::path>, std::filesystem::path>
+        places_;                  ///< by folder and source
     std::set<std::string> taken_; ///< in small letters: some file systems do not tell them from capitals
 };
 
