@@ -9,6 +9,7 @@
 #include "triangle.glsl"
 uniform mat4 viewFromMesh;
 uniform mat3 normalViewFromMesh;
+uniform bool stretchesNormals; // the scale is not the same along all axes
 uniform mat4 lightRelativeFromMesh;
 uniform mat4 lightClipFromMesh;
 uniform mat4 worldFromMesh;
@@ -24,6 +25,8 @@ void main() {
     passTriangle();
     positionView = (viewFromMesh * vec4(positionMesh, 1.0)).xyz;
     normalView = normalViewFromMesh * normalMesh;
+    // Between normals of different lengths the longer one would count for more.
+    if (stretchesNormals) normalView = normalize(normalView);
     positionLightRelative = (lightRelativeFromMesh * vec4(positionMesh, 1.0)).xyz;
     positionLightClip = lightClipFromMesh * vec4(positionMesh, 1.0);
     positionWorld = (worldFromMesh * vec4(positionMesh, 1.0)).xyz;

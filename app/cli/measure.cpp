@@ -18,6 +18,7 @@
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/query/view/empty_view.h"
 #include "techniques/registry.h"
 
 namespace shadowlab::cli {
@@ -86,12 +87,15 @@ void requireVisibility(const TechniqueInfo& info) {
                                        "choose other techniques with -t");
 }
 
-void sayWhatIsProved(const judge::Counts& truth, const std::string& scene, const std::string& light) {
-    if (truth.pixels == 0)
-        note("no surface is in view, so nothing was measured");
-    else if (truth.provesNothing())
+void sayWhatIsProved(const judge::Counts& truth, const film::Moment& seen, ivec2 size, const std::string& scene,
+                     const std::string& light) {
+    if (truth.pixels == 0) {
+        const std::string why = scene::whyNothingIsSeen(*seen.snapshot, seen.camera, size);
+        note("no surface is in view, so nothing was measured" + (why.empty() ? "" : ": " + why));
+    } else if (truth.provesNothing()) {
         note("nothing in view of scene '" + scene + "' is " + (truth.lit == 0 ? "lit by" : "in the shadow of") + " '" +
              light + "', so this measurement proves nothing about shadows; choose another light, camera or scene");
+    }
     // With more than one pixel in a thousand, the scene tests the rasteriser's rounding rather than shadows.
     if (truth.ties > truth.pixels / 1000)
         note(std::to_string(truth.ties) + " of " + std::to_string(truth.pixels) +
@@ -138,7 +142,8 @@ int measure(const MeasureOptions& options) {
         note(remark);
     for (const std::string& remark : lab::settingsWithoutEffect(slots))
         note(remark);
-    sayWhatIsProved(measured.results.front().counts, measured.scene, measured.light);
+    sayWhatIsProved(measured.results.front().counts, film::momentAt(motion, base, 0), options.size, measured.scene,
+                    measured.light);
     print(options.json ? measureJson(measured) : measureTable(measured, terminalColumns()));
     return 0;
 }

@@ -12,7 +12,6 @@
 #include "app/student/lecture_files.h"
 #include "app/student/plugins.h"
 #include "techniques/foundation/base/error.h"
-#include "techniques/foundation/image/output_error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
 #include "techniques/foundation/scene/load/file_access.h"
@@ -154,30 +153,13 @@ void requireFreeName(const std::string& name) {
 void writeSkeleton(const std::string& skeleton, const std::string& name, const fs::path& folder) {
     requireFreeName(name);
     const std::map<std::string, std::string> files = skeletonFiles(skeleton);
-    std::error_code failed;
-    const fs::path absolute = fs::absolute(folder, failed);
-    if (failed) throw Error(ExitStatus::cannotWrite, image::outputErrorText(folder, failed.value(), false));
-    const fs::path target = absolute.lexically_normal();
-    const fs::path made = target.has_filename() ? target : target.parent_path();
-    if (fs::exists(fs::symlink_status(made, failed)))
-        throw Error(ExitStatus::cannotWrite,
-                    folder.string() + ": there is something of that name already; choose another folder with -o");
-    image::OutputFolder output(made);
-    try {
+    image::writeFolder(folder, [&](const fs::path& made) {
         for (const auto& [file, text] : files) {
-            const fs::path place = output.path() / renamed(file, name);
+            const fs::path place = made / renamed(file, name);
             image::makeFolders(place.parent_path());
             image::writeWhole(place, renamed(text, name));
         }
-    } catch (const Error& fault) {
-        // Of a place that is gone when the message is read: named is the one that was asked for.
-        std::string message = fault.what();
-        const std::string temporary = output.path().string();
-        if (const std::size_t at = message.find(temporary); at != std::string::npos)
-            message.replace(at, temporary.size(), made.string());
-        throw Error(fault.status(), message);
-    }
-    output.commit();
+    });
 }
 
 } // namespace shadowlab::student

@@ -10,6 +10,7 @@
 #include "app/window/panels/lesson_marks.h"
 #include "app/window/panels/panels.h"
 #include "app/window/picture_mouse.h"
+#include "techniques/foundation/scene/query/view/empty_view.h"
 
 namespace shadowlab::window {
 
@@ -156,6 +157,7 @@ bool Screen::frame(double seconds) {
     for (const PaneHeader& header : paneHeaders(ui_, frames))
         viewsAreOpen_ = paneHeader(ui_, errors_, strip_, header, frames, headerType, theme_) || viewsAreOpen_;
     drawWidgets(story, stripShape);
+    if (ui_.bench.isAtRest() && !panes_.empty()) sayWhyNothingIsSeen(pictures);
     drawMessages(frames);
     ui_.requests.focusPanel = false;
     ImGui::Render();
@@ -166,6 +168,17 @@ bool Screen::frame(double seconds) {
     glClear(GL_COLOR_BUFFER_BIT);
     renderer_->draw(*ImGui::GetDrawData(), framebuffer_);
     return true;
+}
+
+void Screen::sayWhyNothingIsSeen(ivec2 pictures) {
+    const scene::Snapshot& scene = ui_.bench.shownScene();
+    const scene::Camera& camera = ui_.bench.document().camera;
+    if (pictures.x < 1 || pictures.y < 1 || (scene == lookedAt_ && camera == lookedFrom_)) return;
+    lookedAt_ = scene;
+    lookedFrom_ = camera;
+    const std::string said = "no surface is in view: ";
+    withdraw(said);
+    if (const std::string why = scene::whyNothingIsSeen(*scene, camera, pictures); !why.empty()) say(said + why);
 }
 
 bool Screen::updateStrip(Deadline deadline, const StripShape& shape) {

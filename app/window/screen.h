@@ -72,6 +72,8 @@ public:
     void withdraw(const std::string& beginning);
 
 private:
+    /// A message where a scene or a camera at rest shows no surface in pictures of that size: once, and until one is seen.
+    void sayWhyNothingIsSeen(ivec2 pictures);
     void drawMessages(const PaneFrames& frames);
     void drawWidgets(const StoryLayout& story, const StripShape& strip);
     /// Where pictures, band and drawing are.
@@ -104,6 +106,8 @@ private:
     std::vector<std::string> ran_;
     std::vector<ShownPane> panes_;             ///< of the last frame
     std::vector<PaneSigns> signs_;
+    scene::Snapshot lookedAt_;                 ///< by sayWhyNothingIsSeen()
+    scene::Camera lookedFrom_;
     double clock_ = 0, timed_ = 0, drawn_ = 0; ///< seconds: now, and of the last frames with and without times
     // The window has to react within a tenth of a second; the rest of a frame takes its part of that.
     std::chrono::milliseconds patience_{60};

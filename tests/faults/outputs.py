@@ -127,5 +127,6 @@ OUTPUTS = [
           files={"s.json": scene(lights='"lights": [' + ", ".join([LIGHT] * 70) + "]")}),
     refused("a report into a file", ["report", "s.json", "-t", "unshadowed", "--quick", "--size", "32x24", "-o", "s.json"], 4, "s.json"),
     refused("slides into a file", ["slides", "-o", "s.json"], 4, "s.json"),
+    refused("a scene packed into a folder that is there", ["pack", "s.json", "-o", "here"], 4, "here", files={"here/inner": ""}),
     refused("a new technique in a folder that is there", ["new-technique", "here"], 4, "here", files={"here/inner": ""}),
 ]

@@ -27,6 +27,7 @@
 #include "techniques/foundation/image/png/png.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/query/outside_camera.h"
+#include "techniques/foundation/scene/query/view/empty_view.h"
 
 namespace shadowlab::cli {
 
@@ -133,6 +134,7 @@ private:
         std::vector<picture::Cell> cells =
             picture::layoutCells(options_.layout, static_cast<int>(slots_.size()), size_, options_.split);
         const std::filesystem::path path = numbered(options_.output, frame);
+        sayWhyNothingIsSeen(moment, cells[0].pictureSize, frame);
         if (options_.layout == picture::Layout::diff) {
             View view;
             view.camera = moment.camera;
@@ -153,6 +155,19 @@ private:
             panels.push_back(std::move(drawn.panel));
         }
         writeFigure(frame, path, cells, panels);
+    }
+
+    /// Of the first picture without any surface. What the second camera sees is another question.
+    void sayWhyNothingIsSeen(const film::Moment& moment, ivec2 size, int frame) {
+        const bool isOutside =
+            !options_.stages.empty() && std::ranges::all_of(options_.stages, &picture::StageRef::isOutside);
+        if (saidWhyNothingIsSeen_ || isOutside || base_->objects.empty()) return; // without objects it was said before
+        const std::string why = scene::whyNothingIsSeen(*moment.snapshot, moment.camera, options_.supersample * size);
+        if (why.empty()) return;
+        note((motion_.frames > 1 ? "from frame " + std::to_string(frame + 1) + " on no surface is in view: "
+                                 : "no surface is in view: ") +
+             why);
+        saidWhyNothingIsSeen_ = true;
     }
 
     void writeFigure(int frame, const std::filesystem::path& path, const std::vector<picture::Cell>& cells,
@@ -268,6 +283,7 @@ private:
     std::unique_ptr<image::Font> font_;
     std::optional<picture::StepCaptions> captions_; ///< of steps, and the one that is drawn now
     std::size_t step_ = 0;
+    bool saidWhyNothingIsSeen_ = false;
 };
 
 } // namespace

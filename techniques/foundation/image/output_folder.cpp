@@ -99,4 +99,27 @@ void OutputFolder::commit() {
     temporary_.clear();
 }
 
+void writeFolder(const fs::path& folder, const std::function<void(const fs::path&)>& fill) {
+    std::error_code failed;
+    const fs::path absolute = fs::absolute(folder, failed);
+    if (failed) throw Error(ExitStatus::cannotWrite, outputErrorText(folder, failed.value(), false));
+    const fs::path target = absolute.lexically_normal();
+    const fs::path made = target.has_filename() ? target : target.parent_path();
+    if (fs::exists(fs::symlink_status(made, failed)))
+        throw Error(ExitStatus::cannotWrite,
+                    folder.string() + ": there is something of that name already; choose another folder with -o");
+    OutputFolder output(made);
+    try {
+        fill(output.path());
+    } catch (const Error& fault) {
+        // Of a place that is gone when the message is read: named is the one that was asked for.
+        std::string message = fault.what();
+        const std::string temporary = output.path().string();
+        if (const std::size_t at = message.find(temporary); at != std::string::npos)
+            message.replace(at, temporary.size(), made.string());
+        throw Error(fault.status(), message);
+    }
+    output.commit();
+}
+
 } // namespace shadowlab::image

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <functional>
 
 #include "techniques/foundation/image/temporaries.h"
 
@@ -44,5 +45,9 @@ private:
     ListedTemporary listed_;
     int lock_ = -1; ///< the temporary, open; tells other runs that it is in use
 };
+
+/// Makes a folder, whole or not at all: `fill` writes its contents into the folder that it is told. Throws Error (cannotWrite) if
+/// there is something of that name; errors of `fill` name the folder as it was asked for, not the temporary one.
+void writeFolder(const std::filesystem::path& folder, const std::function<void(const std::filesystem::path&)>& fill);
 
 } // namespace shadowlab::image

@@ -120,8 +120,11 @@ Surface RayScene::surfaceAt(const Ray& ray, const Hit& hit) const {
     };
     const std::vector<vec3>& normals = object.mesh->normalsMesh;
     const uvec3 corners = object.mesh->triangles[t.inObject];
-    const dvec3 normalMesh = at(normals[corners.x], normals[corners.y], normals[corners.z]);
-    const dvec3 N = glm::normalize(glm::transpose(glm::inverse(dmat3(object.worldFromObject))) * normalMesh);
+    const dmat3 normalWorldFromMesh = glm::transpose(glm::inverse(dmat3(object.worldFromObject)));
+    const auto normalWorld = [&](std::uint32_t corner) {
+        return glm::normalize(normalWorldFromMesh * dvec3(normals[corner]));
+    };
+    const dvec3 N = glm::normalize(at(normalWorld(corners.x), normalWorld(corners.y), normalWorld(corners.z)));
     const dvec3 frontWorld = glm::cross(t.bWorld - t.aWorld, t.cWorld - t.aWorld);
     return {at(t.aWorld, t.bWorld, t.cWorld),
             glm::dot(N, ray.u) > 0 ? -N : N,

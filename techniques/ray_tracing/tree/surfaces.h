@@ -83,10 +83,14 @@ private:
         return point.primitive - tracer_->world().firstOfObject[objectOf(point)];
     }
 
+    /// Unit normals of a triangle's corners, of an object whose scale stretches them.
+    [[nodiscard]] std::array<dvec3, 3> stretchedNormalsWorld(const trace::SurfacePoint& point) const;
+
     const trace::SceneTracer* tracer_;
     std::vector<std::uint32_t> materials_;   ///< per triangle of the scene
     std::vector<dmat3> normalWorldFromMesh_; ///< per object
     std::vector<bool> ownColors_;            ///< per object
+    std::vector<bool> stretchesNormals_;     ///< per object (scene/query/normal_transform.h)
     std::vector<Outside> outsides_;          ///< per object; determined only for transparent ones
     bool anySplits_ = false, anySolid_ = false;
 };

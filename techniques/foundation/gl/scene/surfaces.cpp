@@ -10,6 +10,7 @@
 
 #include "techniques/foundation/image/image.h"
 #include "techniques/foundation/scene/model/surface_color.h"
+#include "techniques/foundation/scene/query/normal_transform.h"
 
 namespace shadowlab::gl {
 
@@ -81,6 +82,7 @@ void setObject(const Program& program, const scene::Scene& scene, const EyeMatri
     program.set("clipFromMesh", mat4(eye.clipFromView * viewFromMesh));
     program.set("viewFromMesh", mat4(viewFromMesh));
     program.set("normalViewFromMesh", mat3(glm::transpose(glm::inverse(dmat3(viewFromMesh)))));
+    program.set("stretchesNormals", scene::stretchesNormals(dmat3(object.worldFromObject)) ? 1 : 0);
     program.set("mirrored", scene::isMirrored(object) ? 1 : 0);
     program.set("receivesShadow", object.receivesShadow ? 1 : 0);
     program.set("emitsFromFrontOnly", isRectSurface(scene, object) ? 1 : 0);

@@ -3,12 +3,23 @@
 #include "techniques/foundation/scene/json/scene_json.h"
 
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/query/hidden_lights.h"
+#include "techniques/foundation/scene/query/unit_notes.h"
+#include "techniques/foundation/scene/query/view/default_near.h"
 
 namespace shadowlab::scene {
 
+namespace {
+
+JsonObject cameraKeys(const JsonDocument& document, const JsonValue& value, const std::string& what) {
+    return {document, value, what, {"position", "target", "up", "fovYDegrees", "near", "far"}};
+}
+
+} // namespace
+
 Camera readCamera(const NumberRanges& ranges, const JsonDocument& document, const JsonValue& value,
                   const std::string& what, const std::optional<Camera>& before) {
-    const JsonObject camera(document, value, what, {"position", "target", "up", "fovYDegrees", "near", "far"});
+    const JsonObject camera = cameraKeys(document, value, what);
     const auto fallback = [&](const dvec3 Camera::*part) {
         return before ? std::optional((*before).*part) : std::nullopt;
     };
@@ -19,6 +30,8 @@ Camera readCamera(const NumberRanges& ranges, const JsonDocument& document, cons
     result.fovYDegrees = camera.number("fovYDegrees", Range::strictlyBetween(0.0, 180.0), result.fovYDegrees);
     result.near = camera.number("near", ranges.aboveZero(), result.near);
     if (camera.find("far")) result.far = camera.number("far", ranges.aboveZero());
+    // A default is no reason to refuse what was written; a whole scene fits it to what is seen (default_near.h).
+    if (!before && !camera.find("near") && result.far <= result.near) result.near = 0.1 * result.far;
     if (!(result.far > result.near))
         camera.fail("far", "is " + numberText(result.far) + "; it must be larger than near, which is " +
                                numberText(result.near));
@@ -57,6 +70,14 @@ bool isBeyondHalfFloats(float exposure) {
     return exposure < 1 / kLargest || exposure > kLargest;
 }
 
+/// Notes on the scene as a whole.
+void addNotes(Scene& scene, const std::filesystem::path& file) {
+    for (const std::string& note : notesOnHiddenLights(scene))
+        scene.notes.push_back(shownPath(file) + ": " + note);
+    if (const std::string note = noteOnUnits(scene); !note.empty())
+        scene.notes.push_back(shownPath(file) + ": " + note);
+}
+
 } // namespace
 
 std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::filesystem::path& file,
@@ -86,6 +107,8 @@ std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::
     readObjects(reading, top);
     misnamedNote.appendTo(scene->notes);
     addEmitterSurfaces(*scene);
+    if (!cameraKeys(document, camera, "the camera").find("near")) scene->camera.near = defaultNear(*scene);
+    addNotes(*scene, file);
     scene->memory = memoryBudget(*scene, options.limits);
     return scene;
 }

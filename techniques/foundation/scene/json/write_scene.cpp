@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/query/view/default_near.h"
 
 namespace shadowlab::scene {
 
@@ -29,10 +30,7 @@ std::string numberText(float value) {
     return error == std::errc{} ? std::string(text.data(), end) : std::string("0");
 }
 
-std::string inJson(const std::string& text) {
-    // A file's name may hold bytes that are no UTF-8; JSON may not.
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
+std::string inJson(const std::string& text) { return textInJson(text); }
 
 /// Keys and values of one JSON object, in one line.
 class Line {
@@ -73,8 +71,11 @@ private:
     std::string text_;
 };
 
-std::string cameraJson(const Camera& camera) {
-    const Camera standard;
+std::string cameraJson(const Scene& scene, const Camera& camera) {
+    Camera standard;
+    Scene seen = scene;
+    seen.camera = camera;
+    standard.near = defaultNear(seen);
     Line line;
     line.vector("position", camera.positionWorld)
         .vector("target", camera.targetWorld)
@@ -175,6 +176,15 @@ std::set<std::size_t> materialsOfLights(const Scene& scene) {
     return indices;
 }
 
+/// What the scene's "white" is: the material of parts of a mesh that have none of their own. In a staged mesh that is clay.
+const Material& whiteOf(const Scene& scene) {
+    for (const Object& object : scene.objects)
+        if (!object.source.mesh.empty() && object.source.material.empty())
+            for (const std::uint32_t index : object.partMaterials)
+                if (!scene.materials[index].ofMesh) return scene.materials[index];
+    return scene.materials.front();
+}
+
 /// `"key": [ ... ]` or `"key": { ... }`, one entry a line.
 std::string block(const std::string& key, char open, char close, const std::vector<std::string>& entries) {
     std::string text = "  \"" + key + "\": " + open;
@@ -185,6 +195,11 @@ std::string block(const std::string& key, char open, char close, const std::vect
 
 } // namespace
 
+std::string textInJson(const std::string& text) {
+    // A file's name may hold bytes that are no UTF-8; JSON may not.
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 std::string sceneText(const Scene& scene, const Camera& camera, const std::filesystem::path& folder) {
     std::vector<std::string> lights, materials, objects;
     for (const Light& light : scene.lights)
@@ -193,13 +208,13 @@ std::string sceneText(const Scene& scene, const Camera& camera, const std::files
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         const Material& material = scene.materials[i];
         if (material.ofMesh || ofLights.contains(i)) continue;
-        const std::string json = materialJson(material, folder);
+        const std::string json = materialJson(i == 0 ? whiteOf(scene) : material, folder);
         if (json != "{}" || material.name != Material{}.name) materials.push_back(inJson(material.name) + ": " + json);
     }
     for (const Object& object : scene.objects)
         if (object.emitterOfLight < 0) objects.push_back(objectJson(object, folder));
 
-    std::string text = "{\n  \"camera\": " + cameraJson(camera) + ",\n";
+    std::string text = "{\n  \"camera\": " + cameraJson(scene, camera) + ",\n";
     text += "  \"ambient\": " + Line::list(scene.ambient) + ",\n";
     text += "  \"background\": " + Line::list(scene.background) + ",\n";
     if (scene.exposure != 1.0f) text += "  \"exposure\": " + numberText(scene.exposure) + ",\n";

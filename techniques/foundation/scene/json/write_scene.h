@@ -10,9 +10,12 @@
 namespace shadowlab::scene {
 
 /// The text of a scene file that stands in `folder`, with that camera. Numbers have as many digits as are needed to read
-/// the same number; defaults are left out; meshes and images are named relative to the folder. Simplified: of a staged mesh
-/// whose file has materials, parts that name none become white instead of clay.
+/// the same number; defaults are left out; meshes and images are named relative to the folder. Of a staged mesh whose file has
+/// materials, parts that name none are clay: "white" is written as clay then, since the reader gives them that.
 std::string sceneText(const Scene& scene, const Camera& camera, const std::filesystem::path& folder);
+
+/// The text as a JSON string, with its quotes.
+std::string textInJson(const std::string& text);
 
 /// Folders of files the scene uses that a scene file in `folder` may not read unless they are allowed (--allow): those
 /// neither below it nor below the assets.

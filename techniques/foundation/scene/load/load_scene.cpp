@@ -7,6 +7,7 @@
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/scene/load/file_access.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/load/scene_file.h"
 
 namespace shadowlab::scene {
 
@@ -38,14 +39,15 @@ std::vector<std::string> builtInScenes(const std::filesystem::path& assetsRoot) 
     return names;
 }
 
-std::shared_ptr<const Scene> loadScene(const std::string& nameOrPath, const LoadOptions& options) {
+bool isSceneFile(const std::filesystem::path& file) { return ending(file) == ".json"; }
+
+std::filesystem::path sceneFile(const std::string& nameOrPath, const LoadOptions& options) {
     const std::filesystem::path path(nameOrPath);
-    if (ending(path) == ".json") return loadJson(path, options);
-    if (ending(path) == ".obj") return stageObj(path, options);
+    if (isSceneFile(path) || ending(path) == ".obj") return path;
 
     const std::vector<std::string> names = builtInScenes(options.assetsRoot);
     if (std::ranges::find(names, nameOrPath) != names.end())
-        return loadJson(options.assetsRoot / "scenes" / (nameOrPath + ".json"), options);
+        return options.assetsRoot / "scenes" / (nameOrPath + ".json");
     std::error_code ignored;
     if (nameOrPath.find('/') != std::string::npos || path.has_extension() || std::filesystem::exists(path, ignored))
         throw Error(ExitStatus::badInput, shownPath(path) + ": is neither a .json scene nor an .obj mesh; " +
@@ -54,6 +56,11 @@ std::shared_ptr<const Scene> loadScene(const std::string& nameOrPath, const Load
                 "there is no built-in scene '" + shown(nameOrPath) + "'; " +
                     (names.empty() ? "none was found in " + shownPath(options.assetsRoot / "scenes")
                                    : suggestion(nameOrPath, names)));
+}
+
+std::shared_ptr<const Scene> loadScene(const std::string& nameOrPath, const LoadOptions& options) {
+    const std::filesystem::path file = sceneFile(nameOrPath, options);
+    return isSceneFile(file) ? loadJson(file, options) : stageObj(file, options);
 }
 
 } // namespace shadowlab::scene

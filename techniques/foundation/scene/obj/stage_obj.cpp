@@ -173,7 +173,7 @@ std::shared_ptr<const Scene> stageObj(const std::filesystem::path& file, const L
     object.partMaterials = addMaterials(*scene, *object.mesh, obj.materials);
     std::error_code ignored; // it was read a moment ago
     object.source.mesh = std::filesystem::weakly_canonical(file, ignored);
-    // Where the file has materials of its own, parts without one are clay here, and white once written down and read.
+    // Where the file has materials of its own, "white" is written as clay for the others (write_scene.h).
     if (std::ranges::all_of(object.partMaterials, [](std::uint32_t material) { return material == kClay; }))
         object.source.material = "clay";
     Object floor = floorUnder(stage);

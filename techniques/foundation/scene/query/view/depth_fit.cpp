@@ -92,6 +92,26 @@ Camera withTightNear(const Camera& camera, const Scene& scene, std::span<const B
     return tight;
 }
 
+double nearestInView(const Camera& camera, const Scene& scene, double aspect, double most) {
+    const dmat4 clipFromWorld = clipFromView(camera, aspect) * viewFromWorld(camera);
+    for (const Object& object : scene.objects) {
+        const dmat4 clipFromMesh = clipFromWorld * worldFromMesh(object);
+        const dvec4 depthRow(clipFromMesh[0].w, clipFromMesh[1].w, clipFromMesh[2].w, clipFromMesh[3].w);
+        std::vector<double> depths(object.mesh->positionsMesh.size());
+        std::ranges::transform(object.mesh->positionsMesh, depths.begin(),
+                               [&](const vec3& position) { return glm::dot(depthRow, dvec4(dvec3(position), 1.0)); });
+        for (const uvec3& t : object.mesh->triangles) {
+            const auto [least, largest] = std::minmax({depths[t.x], depths[t.y], depths[t.z]});
+            if (least >= most || largest <= 0) continue;
+            std::vector<dvec4> polygon;
+            for (const std::uint32_t v : {t.x, t.y, t.z})
+                polygon.push_back(clipFromMesh * dvec4(dvec3(object.mesh->positionsMesh[v]), 1.0));
+            most = std::min(most, nearestDepth(std::move(polygon)));
+        }
+    }
+    return most;
+}
+
 double farDepth(std::span<const Bounds> bounds, const dmat4& viewFromWorld, double near) {
     constexpr double kBeyond = 1.001;
     double far = 2 * near;

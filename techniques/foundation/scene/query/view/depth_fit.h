@@ -15,6 +15,10 @@ namespace shadowlab::scene {
 /// that could be seen before is cut off. `bounds` are the scene's objectBounds, `aspect` is width over height.
 Camera withTightNear(const Camera& camera, const Scene& scene, std::span<const Bounds> bounds, double aspect);
 
+/// Metres along the eye's axis to the nearest point of a surface in view and beyond the camera's near plane; `most` if nothing is
+/// nearer than that. Looks at every triangle, and works hard for those alone that come nearer than `most`.
+double nearestInView(const Camera& camera, const Scene& scene, double aspect, double most);
+
 /// Metres along the eye's axis just beyond the farthest corner of all boxes, which must not be cut off itself; twice `near` at least.
 double farDepth(std::span<const Bounds> bounds, const dmat4& viewFromWorld, double near);
 

@@ -1,0 +1,17 @@
+// The file that SCENE on a command line stands for.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "techniques/foundation/scene/load/load.h"
+
+namespace shadowlab::scene {
+
+/// The path itself, or that of a built-in scene. Throws Error (badInput) for a name that is neither.
+std::filesystem::path sceneFile(const std::string& nameOrPath, const LoadOptions& options);
+
+/// True for a .json scene, false for a mesh, which is staged.
+bool isSceneFile(const std::filesystem::path& file);
+
+} // namespace shadowlab::scene
