@@ -113,6 +113,14 @@ std::string meshTable(const std::vector<InspectedMesh>& meshes) {
     return aligned(rows, terminalColumns());
 }
 
+/// "flame (front), panel (both)"
+std::string emitterWords(const std::vector<InspectedEmitter>& emitters) {
+    std::vector<std::string> words;
+    for (const InspectedEmitter& emitter : emitters)
+        words.push_back(emitter.material + " (" + std::string(toText(emitter.emits)) + ")");
+    return named(words);
+}
+
 std::string sceneLines(const Inspection& inspection) {
     const SceneContent& content = *inspection.scene;
     std::string lights;
@@ -124,6 +132,7 @@ std::string sceneLines(const Inspection& inspection) {
                     {"lights", orNone(lights)},
                     {"cameras", "1"},
                     {"materials", named(inspection.materials)},
+                    {"emitters", orNone(emitterWords(inspection.emitters))},
                     {"cast no shadow", orNone(named(content.castNoShadow))},
                     {"receive no shadow", orNone(named(content.receiveNoShadow))}};
     return aligned(rows, terminalColumns());
@@ -148,6 +157,7 @@ std::string text(const Inspection& inspection) {
     std::string text = scene::shown(inspection.file, 4096) + (bare ? ": a mesh\n\n" : ": a scene\n\n");
     text += bare ? meshLines(inspection.meshes.front()) : sceneLines(inspection);
     if (bare && !inspection.materials.empty()) text += "materials: " + named(inspection.materials) + "\n";
+    if (bare && !inspection.emitters.empty()) text += "emitters: " + emitterWords(inspection.emitters) + "\n";
     if (!bare && !inspection.meshes.empty()) text += "\n" + meshTable(inspection.meshes);
     std::string more;
     for (const InspectedMesh& mesh : inspection.meshes)
@@ -173,7 +183,9 @@ std::string text(const Inspection& inspection) {
 }
 
 Json inspectionJson(const Inspection& inspection) {
-    Json meshes = Json::array(), remarks = Json::array(), scene;
+    Json meshes = Json::array(), remarks = Json::array(), emitters = Json::array(), scene;
+    for (const InspectedEmitter& emitter : inspection.emitters)
+        emitters.push_back({{"material", emitter.material}, {"emits", toText(emitter.emits)}});
     for (const InspectedMesh& mesh : inspection.meshes) {
         Json& entry = meshes.emplace_back(Json{{"name", mesh.name}, {"objects", mesh.objects}});
         for (const Count& count : kCounts)
@@ -202,6 +214,7 @@ Json inspectionJson(const Inspection& inspection) {
             {"name", inspection.name},
             {"triangles", inspection.triangles},
             {"materials", inspection.materials},
+            {"emitters", emitters},
             {"scene", scene},
             {"meshes", meshes},
             {"remarks", remarks},

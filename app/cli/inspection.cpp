@@ -2,6 +2,7 @@
 #include "app/cli/inspection.h"
 
 #include <algorithm>
+#include <span>
 #include <unordered_map>
 
 #include "app/cli/common_options.h"
@@ -107,6 +108,14 @@ scene::Scene alone(const std::string& name, scene::ObjFile obj) {
     return scene;
 }
 
+/// Of the materials that shine; surfaces of lights, which the scene does not name, come last and do not count.
+std::vector<InspectedEmitter> emittersAmong(const std::vector<scene::Material>& materials, std::size_t ownCount) {
+    std::vector<InspectedEmitter> emitters;
+    for (const scene::Material& material : std::span(materials).first(ownCount))
+        if (material.emission != vec3(0.0f)) emitters.push_back({material.name, material.emits});
+    return emitters;
+}
+
 bool isMeshFile(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
     for (char& c : ending)
@@ -121,6 +130,7 @@ Inspection inspectFile(const std::string& file, const std::vector<std::filesyste
     Inspection inspection;
     inspection.file = file;
     std::vector<scene::Material> materials;
+    std::size_t lampMaterials = 0;
     if (isMeshFile(file)) { // itself, not staged: floor and light are not its own
         scene::ObjFile obj = scene::loadObj(file, scene::NormalMode::file, loading);
         inspection.name = std::filesystem::path(file).stem().string();
@@ -133,10 +143,13 @@ Inspection inspectFile(const std::string& file, const std::vector<std::filesyste
         inspection.notes = scene->notes;
         inspection.scene = contentOf(*scene);
         materials = scene->materials;
+        lampMaterials = static_cast<std::size_t>(
+            std::ranges::count_if(scene->objects, [](const scene::Object& o) { return o.emitterOfLight >= 0; }));
         addObjects(inspection, *scene);
     }
     for (const scene::Material& material : materials)
         inspection.materials.push_back(material.name);
+    inspection.emitters = emittersAmong(materials, materials.size() - lampMaterials);
     inspection.remarks = remarksOn(inspection.meshes);
     return inspection;
 }

@@ -10,6 +10,7 @@
 
 #include "techniques/foundation/math/types.h"
 #include "techniques/foundation/scene/model/mesh.h"
+#include "techniques/foundation/scene/model/scene.h"
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::cli {
@@ -43,11 +44,18 @@ struct SceneContent {
     std::vector<std::string> receiveNoShadow; ///< names of objects
 };
 
+/// A material that shines, and from which sides of a surface.
+struct InspectedEmitter {
+    std::string material;
+    scene::EmittingSides emits;
+};
+
 struct Inspection {
     std::string file, name;
     std::optional<SceneContent> scene; ///< none for a bare mesh
     std::uint64_t triangles = 0;       ///< of all objects, repetitions included
     std::vector<std::string> materials, notes;
+    std::vector<InspectedEmitter> emitters; ///< without those of lights
     std::vector<InspectedMesh> meshes; ///< each once, in the order in which objects show them
     std::vector<Remark> remarks;       ///< in the order of the techniques
 };

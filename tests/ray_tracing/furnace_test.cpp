@@ -98,6 +98,7 @@ TEST(WhiteFurnace, ARoomThatShinesAndReflectsHasTheSumOfAllBounces) {
         scene::Scene scene = withBackground(0);
         const std::uint32_t wall = addMaterial(scene, 0, 0, 1.5, 0, emission);
         scene.materials[wall].diffuse = vec3(rho);
+        scene.materials[wall].emits = scene::EmittingSides::both; // it is seen from within
         addObject(scene, scene::makeBox({2, 2, 2}), wall, dmat4(1.0));
         const TracedScene traced(scene);
         TreeSettings settings = chanceSettings(16);

@@ -20,7 +20,7 @@ public:
     [[nodiscard]] const scene::Material& materialOf(const trace::SurfacePoint& point) const {
         return scene().materials[materials_[point.primitive]];
     }
-    /// A rect light's surface is dark on its back.
+    /// Does the surface shine toward the viewer? Most emitters are dark on their back.
     [[nodiscard]] bool emitsHere(const trace::SurfacePoint& point) const;
     /// Emitted radiance toward the viewer.
     [[nodiscard]] vec3 emitted(const trace::SurfacePoint& point) const {

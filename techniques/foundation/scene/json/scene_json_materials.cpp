@@ -20,10 +20,16 @@ void readAlphaMap(const SceneReading& reading, const JsonObject& keys, AlphaMask
     material.alphaMap = file.string();
 }
 
+EmittingSides readEmits(const JsonObject& keys) {
+    for (const EmittingSides sides : {EmittingSides::front, EmittingSides::both})
+        if (keys.text("emits") == toText(sides)) return sides;
+    keys.fail("emits", "is " + inQuotes(keys.text("emits")) + R"(; it must be "front" or "both")");
+}
+
 Material readMaterial(const SceneReading& reading, const JsonMember& member, AlphaMasks& masks) {
     const JsonObject keys(reading.document, member.value, "material '" + shown(member.key) + "'",
                           {"diffuse", "specular", "shininess", "reflectivity", "transparency", "ior", "priority",
-                           "glossDegrees", "translucencyDegrees", "emission", "alphaMap"});
+                           "glossDegrees", "translucencyDegrees", "emission", "emits", "alphaMap"});
     const Range share = Range::between(0.0, 1.0);
     const Range angle = Range::between(0.0, 90.0);
     Material material;
@@ -40,6 +46,7 @@ Material readMaterial(const SceneReading& reading, const JsonMember& member, Alp
     material.glossDegrees = keys.number("glossDegrees", angle, material.glossDegrees);
     material.translucencyDegrees = keys.number("translucencyDegrees", angle, material.translucencyDegrees);
     material.emission = keys.color("emission", reading.atLeastZero(), material.emission);
+    if (keys.find("emits")) material.emits = readEmits(keys);
     if (keys.find("alphaMap")) readAlphaMap(reading, keys, masks, material);
     return material;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/model/scene.h"
 
+#include <algorithm>
 #include <atomic>
 
 namespace shadowlab::scene {
@@ -9,6 +10,8 @@ std::uint64_t newRevision() {
     static std::atomic<std::uint64_t> last = 0;
     return ++last;
 }
+
+std::string_view toText(EmittingSides sides) { return sides == EmittingSides::both ? "both" : "front"; }
 
 dmat4 worldFromMesh(const Object& object) {
     dmat4 worldFromMesh = object.worldFromObject;
@@ -33,6 +36,12 @@ std::vector<Bounds> objectBounds(const Scene& scene) {
 }
 
 bool isMirrored(const Object& object) { return glm::determinant(dmat3(object.worldFromObject)) < 0; }
+
+const Material& materialOfTriangle(const Scene& scene, const Object& object, std::uint32_t triangle) {
+    // The parts are in order and cover all triangles.
+    const auto after = std::ranges::upper_bound(object.mesh->parts, triangle, {}, &MeshPart::firstTriangle);
+    return scene.materials[object.partMaterials[static_cast<std::size_t>(after - object.mesh->parts.begin()) - 1]];
+}
 
 std::uint64_t triangleCount(const Scene& scene) {
     std::uint64_t count = 0;
