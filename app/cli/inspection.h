@@ -56,8 +56,8 @@ struct Inspection {
     std::uint64_t triangles = 0;       ///< of all objects, repetitions included
     std::vector<std::string> materials, notes;
     std::vector<InspectedEmitter> emitters; ///< without those of lights
-    std::vector<InspectedMesh> meshes; ///< each once, in the order in which objects show them
-    std::vector<Remark> remarks;       ///< in the order of the techniques
+    std::vector<InspectedMesh> meshes;      ///< each once, in the order in which objects show them
+    std::vector<Remark> remarks;            ///< in the order of the techniques
 };
 
 /// `file`: an .obj, a .json or the name of a built-in scene; `allowed`: further folders that a scene may take meshes from.

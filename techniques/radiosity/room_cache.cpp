@@ -27,7 +27,8 @@ bool shinesInto(const scene::Light& light, const scene::Bounds& box) {
     case scene::LightType::rect:
         for (const double u : {-0.5, 0.0, 0.5})
             for (const double v : {-0.5, 0.0, 0.5})
-                if (isWithin(middle + u * light.edgeUWorld + v * light.edgeVWorld + step * scene::rectNormalWorld(light), 0))
+                if (isWithin(
+                        middle + u * light.edgeUWorld + v * light.edgeVWorld + step * scene::rectNormalWorld(light), 0))
                     return true;
         return false;
     case scene::LightType::spot: return isWithin(middle + step * light.directionWorld, 0);
@@ -58,9 +59,8 @@ void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& p
         const scene::Object& object = snapshot->objects[o];
         const bool isLight = object.emitterOfLight >= 0;
         key.settings.lightWithin.push_back(
-            !isLight && std::ranges::any_of(snapshot->lights, [&](const scene::Light& light) {
-                return shinesInto(light, bounds_[o]);
-            }));
+            !isLight && std::ranges::any_of(snapshot->lights,
+                                            [&](const scene::Light& light) { return shinesInto(light, bounds_[o]); }));
         // The room does not depend on where lights are, or how bright: their surfaces have no entry of their own.
         Surface surface{isLight ? nullptr : object.mesh.get(),
                         isLight ? dmat4(1) : object.worldFromObject,

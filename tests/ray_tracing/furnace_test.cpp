@@ -139,6 +139,7 @@ TEST(WhiteFurnace, ErrorsByChanceAreDistributedAsTheyMustBe) {
         // A quarter of a huge shell: everything with x > 0 but for a slit at the edge that is 1e-6 of the half-space.
         const double far = 1e6;
         const std::uint32_t bright = addMaterial(scene, 0, 0, 1.5, 0, 1);
+        scene.materials[bright].emits = scene::EmittingSides::both;
         addObject(scene,
                   testing::triangleSoup(
                       {{1, -far, -far}, {1, far, -far}, {1, far, far}, {1, -far, -far}, {1, far, far}, {1, -far, far}}),

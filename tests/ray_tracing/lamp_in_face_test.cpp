@@ -24,9 +24,9 @@ scene::Scene litRoom(const dmat4& turn, double gap) {
     scene::Scene scene = testing::emptyRoom({2, 2, 2});
     for (scene::Object& object : scene.objects)
         object.worldFromObject = turn * object.worldFromObject;
-    scene::Light lamp = testing::rectLight(transformPoint(turn, dvec3(0.9, 2 - gap, 1.1)),
-                                           transformDirection(turn, dvec3(0.7, 0, 0)),
-                                           transformDirection(turn, dvec3(0, 0, 0.5)));
+    scene::Light lamp =
+        testing::rectLight(transformPoint(turn, dvec3(0.9, 2 - gap, 1.1)), transformDirection(turn, dvec3(0.7, 0, 0)),
+                           transformDirection(turn, dvec3(0, 0, 0.5)));
     lamp.intensity = 10;
     scene.lights = {lamp};
     scene::addEmitterSurfaces(scene);
@@ -38,8 +38,7 @@ scene::Scene roomWithEmitter(const dmat4& turn, double gap, bool isFirst) {
     scene::Scene scene = testing::emptyRoom({2, 2, 2});
     const std::uint32_t shining = testing::addMaterial(scene, 0, 0, 1.5, 0, 10);
     testing::addObject(scene, scene::makeQuad({0.7, 0.5}), shining,
-                       translation({0.9, 2 - gap, 1.1}) *
-                           glm::rotate(dmat4(1), glm::radians(180.0), dvec3(1, 0, 0)));
+                       translation({0.9, 2 - gap, 1.1}) * glm::rotate(dmat4(1), glm::radians(180.0), dvec3(1, 0, 0)));
     if (isFirst) std::rotate(scene.objects.begin(), scene.objects.end() - 1, scene.objects.end());
     for (scene::Object& object : scene.objects)
         object.worldFromObject = turn * object.worldFromObject;
@@ -62,8 +61,8 @@ std::vector<double> radiances(const scene::Scene& scene, const dmat4& turn, cons
             const SampleNumbers numbers({samples, SamplePattern::Spread::lowDiscrepancy, 1, 3},
                                         {static_cast<int>(found.size()), 0}, static_cast<std::uint32_t>(i));
             RayTree tree;
-            tree.trace({traced.surfaces(), trace::MovingScene(traced.tracer()), 0, &numbers, &analytic}, settings, eye, u,
-                       first, {});
+            tree.trace({traced.surfaces(), trace::MovingScene(traced.tracer()), 0, &numbers, &analytic}, settings, eye,
+                       u, first, {});
             sum += tree.root().intensity.x;
         }
         found.push_back(sum / samples);
@@ -75,7 +74,7 @@ void expectAlike(const std::vector<double>& in, const std::vector<double>& befor
     ASSERT_EQ(in.size(), before.size());
     double sumIn = 0, sumBefore = 0;
     for (std::size_t i = 0; i < in.size(); ++i) {
-        EXPECT_GT(before[i], 0.01) << how << " place " << i;
+        EXPECT_GT(before[i], 0.005) << how << " place " << i;
         sumIn += in[i], sumBefore += before[i];
     }
     EXPECT_NEAR(sumIn / sumBefore, 1, kMostError) << how;
@@ -83,7 +82,9 @@ void expectAlike(const std::vector<double>& in, const std::vector<double>& befor
 
 /// As it stands, lying on each side, and turned so that no number of the file is round.
 std::vector<dmat4> turns() {
-    const auto about = [](double degrees, const dvec3& axis) { return glm::rotate(dmat4(1), glm::radians(degrees), axis); };
+    const auto about = [](double degrees, const dvec3& axis) {
+        return glm::rotate(dmat4(1), glm::radians(degrees), axis);
+    };
     return {dmat4(1), about(90, {1, 0, 0}), about(-90, {0, 0, 1}),
             translation({3.3, -7.7, 1.9}) * about(33, {1, 0, 0}) * about(21, {0, 1, 0.3})};
 }
@@ -97,14 +98,16 @@ TEST(LampInFace, LightsTheRoomAsOneAMillimetreBeforeIt) {
         TreeSettings traced = sampled;
         traced.interreflection = true;
         traced.depth = 4;
-        for (const auto& [settings, samples, how] : {std::tuple(sampled, 256, "sampled"), std::tuple(analytic, 1, "analytic"),
-                                                     std::tuple(traced, 512, "path-traced")}) {
+        for (const auto& [settings, samples, how] :
+             {std::tuple(sampled, 256, "sampled"), std::tuple(analytic, 1, "analytic"),
+              std::tuple(traced, 512, "path-traced")}) {
             const auto in = radiances(litRoom(turn, 0), turn, settings, samples);
             const auto before = radiances(litRoom(turn, 1e-3), turn, settings, samples);
             expectAlike(in, before, how);
             if (settings.interreflection) continue; // one other hit of a ray is seen at a place, not in the sum
             for (std::size_t i = 0; i < in.size(); ++i)
-                EXPECT_NEAR(in[i] / before[i], 1, i < 3 ? kMostError : 0.06) << how << " place " << i; // walls near the lamp
+                EXPECT_NEAR(in[i] / before[i], 1, i < 3 ? kMostError : 0.06)
+                    << how << " place " << i; // walls near the lamp
         }
     }
 }
@@ -113,10 +116,12 @@ TEST(LampInFace, AnEmitterShinesAsOneAMillimetreBeforeIt) {
     TreeSettings settings;
     settings.interreflection = true;
     settings.depth = 3;
+    constexpr int kSamples =
+        16384; // some hundred of which flip at the emitter's edge: less than a thousandth of the sum
     for (const dmat4& turn : turns())
         for (const bool isFirst : {true, false})
-            expectAlike(radiances(roomWithEmitter(turn, 0, isFirst), turn, settings, 4096),
-                        radiances(roomWithEmitter(turn, 1e-3, isFirst), turn, settings, 4096), "emitter");
+            expectAlike(radiances(roomWithEmitter(turn, 0, isFirst), turn, settings, kSamples),
+                        radiances(roomWithEmitter(turn, 1e-3, isFirst), turn, settings, kSamples), "emitter");
 }
 
 /// The share of the lamp that the middle of the floor sees.

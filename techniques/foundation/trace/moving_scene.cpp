@@ -47,15 +47,15 @@ SurfacePoint MovingScene::met(const Ray& ray, std::uint32_t leftOut, double time
     if (!nearest) return {};
     const dvec3 movedWorld = time * tracer_.scene().objects[tracer_.world().objects[nearest.primitive]].velocityWorld;
     return tracer_.surfacePoint(
-        ray.directionCentred,
-        tracer_.seenInstead(movedBack(ray, movedWorld), nearest, tracer_.mayMeet(leftOut), time));
+        ray.directionCentred, tracer_.seenInstead(movedBack(ray, movedWorld), nearest, tracer_.mayMeet(leftOut), time));
 }
 
 bool MovingScene::isBlocked(const Ray& ray, std::uint32_t leftOut, double time, int light) const {
     if (!moves()) return tracer_.isBlocked(ray, leftOut, light);
     return std::ranges::any_of(parts_, [&](const Part& part) {
         const dvec3 movedWorld = time * part.velocityWorld;
-        const int lamp = movedWorld == dvec3(0.0) ? light : SceneTracer::kAnyLight; // what moves leaves the lamp's plane
+        const int lamp =
+            movedWorld == dvec3(0.0) ? light : SceneTracer::kAnyLight; // what moves leaves the lamp's plane
         return part.engine->any(movedBack(ray, movedWorld), tracer_.mayStandIn(leftOut, lamp)) != kNoPrimitive;
     });
 }

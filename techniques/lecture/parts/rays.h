@@ -84,8 +84,8 @@ private:
     scene::Snapshot snapshot_;
     std::vector<std::vector<std::int8_t>> facing_; ///< per light and triangle
     scene::EmitterContacts contacts_;
-    std::vector<Triangle> triangles_;              ///< in the order of the scene
-    std::vector<const Triangle*> sorted_;          ///< as they lie in the tree
+    std::vector<Triangle> triangles_;     ///< in the order of the scene
+    std::vector<const Triangle*> sorted_; ///< as they lie in the tree
     std::unique_ptr<BoundingVolume> all_;
 };
 

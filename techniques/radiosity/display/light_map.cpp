@@ -51,8 +51,8 @@ bool LightMap::advance(const scene::Snapshot& snapshot, const RoomCache& cache, 
             map = {snapshot->lights[i], std::vector<vec4>(points_.size(), vec4(0.0f)), 0};
         if (map.next == blocks) continue;
         const LightSource source(map.light, tracer_.world().originWorld, cache.room().sides().faces);
-        map.next =
-            trace::parallelUntil(deadline, map.next, blocks, [&](std::size_t block) { fill(map, static_cast<int>(i), source, block); });
+        map.next = trace::parallelUntil(deadline, map.next, blocks,
+                                        [&](std::size_t block) { fill(map, static_cast<int>(i), source, block); });
         if (map.next < blocks) return false;
         ++version_;
     }

@@ -85,7 +85,8 @@ trace::Visibility visibilityAlong(const RayWorld& world, const TreeSettings& set
     ray.nearest = naive ? 0 : trace::kContact;
     ray.farthest = 1.0;
     const std::uint32_t leftOut = naive ? trace::kNoPrimitive : node.point.primitive;
-    return world.scene.isBlocked(ray, leftOut, world.time, light) ? trace::Visibility::shadowed : trace::Visibility::lit;
+    return world.scene.isBlocked(ray, leftOut, world.time, light) ? trace::Visibility::shadowed
+                                                                  : trace::Visibility::lit;
 }
 
 LightAtNode lightAt(const RayWorld& world, const TreeSettings& settings, const TreeNode& node, int light) {

@@ -62,7 +62,8 @@ dvec3 Surfaces::normalWorld(const trace::SurfacePoint& point, const dvec3& toVie
     const scene::Mesh& mesh = *tracer_->objectOf(point).mesh;
     const uvec3 corners = mesh.triangles[triangleOf(point)];
     const dvec3 weights = point.barycentric();
-    const dvec3 normalMesh = weights.x * dvec3(mesh.normalsMesh[corners.x]) + weights.y * dvec3(mesh.normalsMesh[corners.y]) +
+    const dvec3 normalMesh = weights.x * dvec3(mesh.normalsMesh[corners.x]) +
+                             weights.y * dvec3(mesh.normalsMesh[corners.y]) +
                              weights.z * dvec3(mesh.normalsMesh[corners.z]);
     const dvec3 normalWorld = glm::normalize(normalWorldFromMesh_[objectOf(point)] * normalMesh);
     return glm::dot(normalWorld, toViewerWorld) < 0 ? -normalWorld : normalWorld;

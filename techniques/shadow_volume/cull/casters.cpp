@@ -82,8 +82,7 @@ void Casters::update(CasterVolume& caster, const scene::Object& object, const sc
     const std::shared_ptr<CasterMesh>& mesh = shared(object.mesh);
     const dvec4 lightMesh = scene::lightMesh(object, light);
     const bool sameMesh = caster.mesh == mesh;
-    const dvec3 lampNormalWorld =
-        light.type == scene::LightType::rect ? scene::rectNormalWorld(light) : dvec3(0.0);
+    const dvec3 lampNormalWorld = light.type == scene::LightType::rect ? scene::rectNormalWorld(light) : dvec3(0.0);
     if (sameMesh && caster.lightMesh == lightMesh && caster.lampNormalWorld == lampNormalWorld) return;
     caster.lightMesh = lightMesh;
     caster.lampNormalWorld = lampNormalWorld;

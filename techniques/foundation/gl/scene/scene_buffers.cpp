@@ -160,7 +160,8 @@ const Texture2D* SceneBuffers::mask(std::size_t object, std::size_t part) const 
 const TriangleTexture& SceneBuffers::facing(int light) const {
     const auto found = facing_.find(light);
     if (found != facing_.end()) return found->second;
-    return facing_.emplace(light, TriangleTexture(facingSigns(*snapshot_, snapshot_->light(light)), "facing signs")).first->second;
+    return facing_.emplace(light, TriangleTexture(facingSigns(*snapshot_, snapshot_->light(light)), "facing signs"))
+        .first->second;
 }
 
 const TriangleTexture& SceneBuffers::facingOfAllLights() const {

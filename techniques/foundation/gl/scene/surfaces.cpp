@@ -57,7 +57,8 @@ struct LightView {
 };
 
 LightView lightView(const scene::Light& light, const EyeMatrices& eye) {
-    const dvec3 directionWorld = light.type == scene::LightType::rect ? scene::rectNormalWorld(light) : light.directionWorld;
+    const dvec3 directionWorld =
+        light.type == scene::LightType::rect ? scene::rectNormalWorld(light) : light.directionWorld;
     const double halfConeRadians = light.coneDegrees * glm::pi<double>() / 360.0;
     return {.positionView = vec3(transformPoint(eye.viewFromWorld, light.positionWorld)),
             .directionView = vec3(transformDirection(eye.viewFromWorld, directionWorld)),
@@ -133,7 +134,8 @@ void drawPart(const Program& program, const scene::Scene& scene, const SceneBuff
     if (program.reads("frontInShadow")) {
         const vec3 reflected = scene.ambient * material.diffuse;
         const auto sideInShadow = [&](bool isFront) {
-            return finished(scene::shinesFrom(material, isFront) ? material.emission + reflected : reflected, scene.exposure);
+            return finished(scene::shinesFrom(material, isFront) ? material.emission + reflected : reflected,
+                            scene.exposure);
         };
         program.set("frontInShadow", sideInShadow(!mirrored));
         program.set("backInShadow", sideInShadow(mirrored));
@@ -260,8 +262,8 @@ void useForLight(const Program& program, const scene::Scene& scene, const SceneB
     program.set("lightFacing", kFacingUnit);
 }
 
-void useForAllLights(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
-                     const Texture2D* hiddenLights) {
+void useForAllLights(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
+                     const EyeMatrices& eye, const Texture2D* hiddenLights) {
     program.useWith(knownOfAllLights(scene, hiddenLights == nullptr));
     program.set("ambient", scene.ambient);
     program.set("exposure", scene.exposure);
@@ -302,7 +304,8 @@ void drawSurfaceDepth(const Program& positionOnly, const scene::Scene& scene, co
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         drawIfSeen(scene, buffers, eye, i, {}, [&] {
             const dmat4 clipFromMesh = eye.clipFromMesh(scene.objects[i]);
-            if (!buffers.contacts().hasEmitterInFace(i)) return drawDepth(positionOnly, scene, buffers, i, clipFromMesh);
+            if (!buffers.contacts().hasEmitterInFace(i))
+                return drawDepth(positionOnly, scene, buffers, i, clipFromMesh);
             for (std::size_t part = 0; part < scene.objects[i].mesh->parts.size(); ++part)
                 drawInContact(scene, buffers, i, part,
                               [&] { drawPartDepth(positionOnly, scene, buffers, i, part, clipFromMesh); });

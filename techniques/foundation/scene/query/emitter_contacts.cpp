@@ -84,14 +84,19 @@ bool overlap(const Placed& a, const Placed& b) {
     const auto flat = [drop](const dvec3& p) { return dvec2(p[(drop + 1) % 3], p[(drop + 2) % 3]); };
     const auto isSeparated = [&](const Placed& first, const Placed& second) {
         for (std::size_t i = 0; i < 3; ++i) {
-            const dvec2 from = flat(first.corners[i].positionWorld), to = flat(first.corners[(i + 1) % 3].positionWorld);
+            const dvec2 from = flat(first.corners[i].positionWorld),
+                        to = flat(first.corners[(i + 1) % 3].positionWorld);
             const dvec2 across(to.y - from.y, from.x - to.x);
-            const auto beyond = [&](const Corner& corner) { return glm::dot(across, flat(corner.positionWorld) - from); };
+            const auto beyond = [&](const Corner& corner) {
+                return glm::dot(across, flat(corner.positionWorld) - from);
+            };
             const double own = beyond(first.corners[(i + 2) % 3]);
             // Touching along an edge, or overlapping by rounding alone, is no overlap.
-            const double slack = glm::dot(glm::abs(across), flat(first.corners[i].rounding + second.corners[0].rounding));
-            if (std::ranges::all_of(second.corners,
-                                    [&](const Corner& c) { return own > 0 ? beyond(c) <= slack : beyond(c) >= -slack; }))
+            const double slack =
+                glm::dot(glm::abs(across), flat(first.corners[i].rounding + second.corners[0].rounding));
+            if (std::ranges::all_of(second.corners, [&](const Corner& c) {
+                    return own > 0 ? beyond(c) <= slack : beyond(c) >= -slack;
+                }))
                 return true;
         }
         return false;
@@ -187,7 +192,8 @@ std::uint32_t seenOf(std::span<const SeenTriangle> together) {
     const auto rank = [](const SeenTriangle& t) { return t.shines ? 2 : t.isEmitter ? 0 : 1; };
     const SeenTriangle* best = &together.front();
     for (const SeenTriangle& t : together) {
-        if (rank(t) > rank(*best) || (rank(t) == rank(*best) && (t.shines ? t.number > best->number : t.number < best->number)))
+        if (rank(t) > rank(*best) ||
+            (rank(t) == rank(*best) && (t.shines ? t.number > best->number : t.number < best->number)))
             best = &t;
     }
     return best->number;

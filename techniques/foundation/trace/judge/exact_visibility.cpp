@@ -126,7 +126,7 @@ std::optional<EyeHit> ExactVisibility::eyeHit(const scene::Camera& camera, dvec2
 }
 
 EyeHit ExactVisibility::seenInContact(const EyeHit& nearest, std::span<const EyeHit> inContact,
-                                     const dvec3& direction) const {
+                                      const dvec3& direction) const {
     const auto numberOf = [&](const EyeHit& hit) { return firstTriangle_[hit.object] + hit.triangle; };
     const std::vector<std::uint32_t> others = contacts_.of(numberOf(nearest));
     std::vector<scene::SeenTriangle> together;
