@@ -146,6 +146,14 @@ std::string materialTable(const std::vector<MaterialLook>& materials) {
     return aligned(rows, terminalColumns());
 }
 
+/// "flame (front), panel (both)"
+std::string emitterWords(const std::vector<InspectedEmitter>& emitters) {
+    std::vector<std::string> words;
+    for (const InspectedEmitter& emitter : emitters)
+        words.push_back(emitter.material + " (" + std::string(toText(emitter.emits)) + ")");
+    return named(words);
+}
+
 std::string sceneLines(const Inspection& inspection) {
     const SceneContent& content = *inspection.scene;
     std::string lights;
@@ -156,6 +164,7 @@ std::string sceneLines(const Inspection& inspection) {
                     {"triangles", std::to_string(inspection.triangles)},
                     {"lights", orNone(lights)},
                     {"cameras", "1"},
+                    {"emitters", orNone(emitterWords(inspection.emitters))},
                     {"cast no shadow", orNone(named(content.castNoShadow))},
                     {"receive no shadow", orNone(named(content.receiveNoShadow))}};
     return aligned(rows, terminalColumns());
@@ -180,6 +189,7 @@ std::string text(const Inspection& inspection) {
     std::string text = scene::shown(inspection.file, 4096) + (bare ? ": a mesh\n\n" : ": a scene\n\n");
     text += bare ? meshLines(inspection.meshes.front()) : sceneLines(inspection);
     if (!inspection.materials.empty()) text += "\n" + materialTable(inspection.materials);
+    if (bare && !inspection.emitters.empty()) text += "emitters: " + emitterWords(inspection.emitters) + "\n";
     if (!bare && !inspection.meshes.empty()) text += "\n" + meshTable(inspection.meshes);
     std::string more;
     for (const InspectedMesh& mesh : inspection.meshes)
@@ -205,7 +215,7 @@ std::string text(const Inspection& inspection) {
 }
 
 Json inspectionJson(const Inspection& inspection) {
-    Json meshes = Json::array(), remarks = Json::array(), materials = Json::array(), looks = Json::array(), scene;
+    Json meshes = Json::array(), remarks = Json::array(), materials = Json::array(), looks = Json::array(), emitters = Json::array(), scene;
     for (const auto& [material, vertexColors] : inspection.materials) {
         materials.push_back(material.name);
         looks.push_back({{"name", material.name},
@@ -218,6 +228,8 @@ Json inspectionJson(const Inspection& inspection) {
                          {"alphaMap", material.alphaMap},
                          {"vertexColors", vertexColors}});
     }
+    for (const InspectedEmitter& emitter : inspection.emitters)
+        emitters.push_back({{"material", emitter.material}, {"emits", toText(emitter.emits)}});
     for (const InspectedMesh& mesh : inspection.meshes) {
         Json& entry = meshes.emplace_back(Json{{"name", mesh.name}, {"objects", mesh.objects}});
         for (const Count& count : kCounts)
@@ -247,6 +259,7 @@ Json inspectionJson(const Inspection& inspection) {
             {"triangles", inspection.triangles},
             {"materials", materials},
             {"materialLooks", looks},
+            {"emitters", emitters},
             {"scene", scene},
             {"meshes", meshes},
             {"remarks", remarks},

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 #include <unordered_map>
 
 #include "app/cli/common_options.h"
@@ -109,6 +110,14 @@ scene::Scene alone(const std::string& name, scene::ObjFile obj) {
     return scene;
 }
 
+/// Of the materials that shine; surfaces of lights, which the scene does not name, come last and do not count.
+std::vector<InspectedEmitter> emittersAmong(const std::vector<scene::Material>& materials, std::size_t ownCount) {
+    std::vector<InspectedEmitter> emitters;
+    for (const scene::Material& material : std::span(materials).first(ownCount))
+        if (material.emission != vec3(0.0f)) emitters.push_back({material.name, material.emits});
+    return emitters;
+}
+
 bool isMeshFile(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
     for (char& c : ending)
@@ -124,6 +133,7 @@ Inspection inspectFile(const std::string& file, const std::vector<std::filesyste
     inspection.file = file;
     std::vector<scene::Material> materials;
     std::set<std::string> withColors;
+    std::size_t lampMaterials = 0;
     if (isMeshFile(file)) { // itself, not staged: floor and light are not its own
         scene::ObjFile obj = scene::loadObj(file, scene::NormalMode::file, loading);
         inspection.name = std::filesystem::path(file).stem().string();
@@ -142,10 +152,13 @@ Inspection inspectFile(const std::string& file, const std::vector<std::filesyste
         for (const scene::Object& object : scene->objects)
             for (std::size_t part = 0; part < object.partMaterials.size(); ++part)
                 if (scene::usesVertexColors(*scene, object, part)) withColors.insert(materials[object.partMaterials[part]].name);
+        lampMaterials = static_cast<std::size_t>(
+            std::ranges::count_if(scene->objects, [](const scene::Object& o) { return o.emitterOfLight >= 0; }));
         addObjects(inspection, *scene);
     }
     for (const scene::Material& material : materials)
         inspection.materials.push_back({material, withColors.contains(material.name)});
+    inspection.emitters = emittersAmong(materials, materials.size() - lampMaterials);
     inspection.remarks = remarksOn(inspection.meshes);
     return inspection;
 }

@@ -49,14 +49,21 @@ struct SceneContent {
     std::vector<std::string> receiveNoShadow; ///< names of objects
 };
 
+/// A material that shines, and from which sides of a surface.
+struct InspectedEmitter {
+    std::string material;
+    scene::EmittingSides emits;
+};
+
 struct Inspection {
     std::string file, name;
     std::optional<SceneContent> scene; ///< none for a bare mesh
     std::uint64_t triangles = 0;       ///< of all objects, repetitions included
     std::vector<MaterialLook> materials; ///< in the order of the file
     std::vector<std::string> notes;
-    std::vector<InspectedMesh> meshes; ///< each once, in the order in which objects show them
-    std::vector<Remark> remarks;       ///< in the order of the techniques
+    std::vector<InspectedEmitter> emitters; ///< without those of lights
+    std::vector<InspectedMesh> meshes;      ///< each once, in the order in which objects show them
+    std::vector<Remark> remarks;            ///< in the order of the techniques
 };
 
 /// `file`: an .obj, a .json or the name of a built-in scene; `allowed`: further folders that a scene may take meshes from.

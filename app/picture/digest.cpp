@@ -60,7 +60,7 @@ void add(Hash& hash, const scene::Material& material) {
         hash.add(material.emission);
     hash.add(material.reflectivity), hash.add(material.transparency), hash.add(material.ior);
     hash.add(material.priority), hash.add(material.glossDegrees), hash.add(material.translucencyDegrees);
-    hash.add(material.alphaMask ? 1 : 0);
+    hash.add(material.emits), hash.add(material.alphaMask ? 1 : 0);
     if (material.alphaMask) hash.add(material.alphaMask->size()), hash.add(material.alphaMask->texels());
     hash.add(material.colorImage ? 1 : 0);
     if (material.colorImage) hash.add(material.colorImage->size()), hash.add(material.colorImage->texels());

@@ -11,7 +11,7 @@ uniform sampler2D values;       // two of each patch: of its front and its back
 uniform float factor;           // what they are multiplied with
 uniform int showsLights;        // 1: a surface without patches shows its own light; 0: nothing
 uniform int receivesShadow;     // 1 or 0
-uniform int emitsFromFrontOnly; // 1: a rect light's surface
+uniform int emittingSides;      // 1: the front of the drawn triangle shines, 2: its back, 3: both
 out vec4 result;
 
 // Which of the m x m small triangles: m steps along edge ab, m along ac, and the upper or lower half of that parallelogram.
@@ -39,7 +39,7 @@ void main() {
     bool gate = eyeSideFacesLight() && lightShinesTo(towardLight(positionView, distanceSquared));
     result = vec4(!gate ? 0.0 : receivesShadow == 0 || !hasPatches ? 1.0 : value.r, 1.0, 0.0, 1.0);
 #else
-    bool shines = showsLights == 1 && (emitsFromFrontOnly == 0 || gl_FrontFacing);
+    bool shines = showsLights == 1 && (emittingSides & (gl_FrontFacing ? 1 : 2)) != 0;
     result = hasPatches ? vec4(factor * value.rgb, 1.0) : vec4(shines ? emission : vec3(0.0), 1.0);
 #endif
 }

@@ -11,7 +11,7 @@ in vec3 positionView;
 uniform int interpolates;
 uniform float exposureFactor;
 uniform int receivesShadow;
-uniform int emitsFromFrontOnly; // a rect light's surface is dark on its back
+uniform int emittingSides; // 1: the front of the drawn triangle shines, 2: its back, 3: both
 out vec4 result;
 #ifdef LIGHT_MAP
 #include "radiosity/light_map.glsl"
@@ -30,7 +30,7 @@ void main() {
 #if defined(RADIOSITY) || defined(IRRADIANCE)
     // [anchor: radiosity-shown]
     // What belongs to no patch shows its emission: lights, and surfaces that are never seen.
-    vec3 ownRadiance = emitsFromFrontOnly == 0 || gl_FrontFacing ? emission : vec3(0.0);
+    vec3 ownRadiance = (emittingSides & (gl_FrontFacing ? 1 : 2)) != 0 ? emission : vec3(0.0);
 #ifdef RADIOSITY
     vec3 radiance = number == kNoCell ? ownRadiance : value.rgb / kPi; // of a Lambertian reflector
 #else

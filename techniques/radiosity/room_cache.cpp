@@ -13,8 +13,29 @@ namespace {
 // Sample lines of a patch if all of its pairs were partly visible: the standard deviation of a row sum is then below a hundredth.
 constexpr double kLinesPerPatch = 1e4;
 
-bool isWithin(const dvec3& p, const scene::Bounds& box) {
-    return glm::all(glm::greaterThan(p, box.lowerWorld)) && glm::all(glm::lessThan(p, box.upperWorld));
+/// Does the light shine into the inside of the box? It may lie in a side of the box: what shines to one side is looked at from a
+/// little before it, and what shines to all sides counts from its border on.
+bool shinesInto(const scene::Light& light, const scene::Bounds& box) {
+    if (box.isEmpty() || light.type == scene::LightType::directional) return false;
+    const double step = kTouching * glm::length(box.upperWorld - box.lowerWorld);
+    const auto isWithin = [&](const dvec3& p, double margin) {
+        return glm::all(glm::greaterThan(p, box.lowerWorld - margin)) &&
+               glm::all(glm::lessThan(p, box.upperWorld + margin));
+    };
+    const dvec3& middle = light.positionWorld;
+    switch (light.type) {
+    case scene::LightType::rect:
+        for (const double u : {-0.5, 0.0, 0.5})
+            for (const double v : {-0.5, 0.0, 0.5})
+                if (isWithin(
+                        middle + u * light.edgeUWorld + v * light.edgeVWorld + step * scene::rectNormalWorld(light), 0))
+                    return true;
+        return false;
+    case scene::LightType::spot: return isWithin(middle + step * light.directionWorld, 0);
+    case scene::LightType::sphere:
+        return glm::distance(middle, glm::clamp(middle, box.lowerWorld, box.upperWorld)) < light.radius;
+    default: return isWithin(middle, step);
+    }
 }
 
 } // namespace
@@ -38,9 +59,8 @@ void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& p
         const scene::Object& object = snapshot->objects[o];
         const bool isLight = object.emitterOfLight >= 0;
         key.settings.lightWithin.push_back(
-            !isLight && std::ranges::any_of(snapshot->lights, [&](const scene::Light& light) {
-                return light.type != scene::LightType::directional && isWithin(light.positionWorld, bounds_[o]);
-            }));
+            !isLight && std::ranges::any_of(snapshot->lights,
+                                            [&](const scene::Light& light) { return shinesInto(light, bounds_[o]); }));
         // The room does not depend on where lights are, or how bright: their surfaces have no entry of their own.
         Surface surface{isLight ? nullptr : object.mesh.get(),
                         isLight ? dmat4(1) : object.worldFromObject,
@@ -52,7 +72,8 @@ void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& p
         if (!isLight)
             for (const std::uint32_t material : object.partMaterials) {
                 surface.materials.push_back(material);
-                surface.emits.push_back(snapshot->materials[material].emission != vec3(0.0f));
+                surface.shines.emplace_back(scene::shinesFrom(snapshot->materials[material], true),
+                                            scene::shinesFrom(snapshot->materials[material], false));
             }
         key.surfaces.push_back(std::move(surface));
     }

@@ -49,7 +49,7 @@ private:
         const scene::Mesh* mesh;
         dmat4 worldFromObject;
         std::vector<std::uint32_t> materials;
-        std::vector<bool> emits;
+        std::vector<std::pair<bool, bool>> shines; ///< of each part: from its front, and from its back
         bool casts, receives, isLight;
         friend bool operator==(const Surface&, const Surface&) = default;
     };

@@ -106,8 +106,8 @@ TEST_F(InspectTest, AMeshIsNotStaged) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items())
         keys.push_back(key);
-    EXPECT_EQ(keys, (std::vector<std::string>{"file", "kind", "materials", "meshes", "name", "notes", "remarks",
-                                              "scene", "triangles"}));
+    EXPECT_EQ(keys, (std::vector<std::string>{"emitters", "file", "kind", "materials", "meshes", "name", "notes",
+                                              "remarks", "scene", "triangles"}));
     EXPECT_EQ(json["file"], "SHEET.OBJ");
     EXPECT_EQ(json["kind"], "mesh");
     EXPECT_EQ(json["name"], "SHEET");
@@ -145,7 +145,7 @@ TEST_F(InspectTest, ASceneWithAllItsParts) {
     folder.write("all.json", R"({"camera": {"position": [3, 2, 4], "target": [0, 0, 0]},
   "lights": [{"type": "point", "position": [2, 5, 3]}, {"type": "point", "position": [1, 5, 3]},
              {"type": "rect", "position": [0, 4, 0], "edgeU": [1, 0, 0], "edgeV": [0, 0, 1]}],
-  "materials": {"red": {"diffuse": [1, 0, 0]}},
+  "materials": {"red": {"diffuse": [1, 0, 0]}, "sign": {"emission": [1, 0, 0]}, "tube": {"emission": [1, 1, 1], "emits": "both"}},
   "objects": [{"name": "one", "shape": "box", "size": [1, 1, 1]},
               {"name": "two", "shape": "box", "size": [1, 1, 1], "material": "red", "castsShadow": false},
               {"mesh": "sheet.obj", "receivesShadow": false}]})");
@@ -161,6 +161,9 @@ TEST_F(InspectTest, ASceneWithAllItsParts) {
     EXPECT_EQ(json["scene"]["receiveNoShadow"], Json({"sheet"}));
     EXPECT_EQ(json["materials"][0], "white");
     EXPECT_EQ(json["materials"][1], "red");
+    EXPECT_EQ(json["emitters"],
+              Json::parse(R"([{"material": "sign", "emits": "front"}, {"material": "tube", "emits": "both"}])"))
+        << "the surface of the rect light is not one of the scene's own";
     ASSERT_EQ(json["meshes"].size(), 2u);
     EXPECT_EQ(json["meshes"][0]["objects"], Json({"one", "two"}));
     EXPECT_EQ(json["meshes"][0]["triangles"], 12);
@@ -173,7 +176,8 @@ TEST_F(InspectTest, ASceneWithAllItsParts) {
     const std::string text = succeed({"inspect", "all.json"}).out;
     for (const char* part : {"all.json: a scene\n", "objects            3\n", "triangles          26\n",
                              "lights             2 point, 1 rect\n", "cast no shadow     two\n",
-                             "receive no shadow  sheet\n", "[sheet]\n", "note: ", "What that means\n"})
+                             "emitters           sign (front), tube (both)\n", "receive no shadow  sheet\n",
+                             "[sheet]\n", "note: ", "What that means\n"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 

@@ -80,6 +80,7 @@ const std::vector<Change>& changes() {
         [](Scene& s) { s.materials[0].transparency = 1; },
         [](Scene& s) { s.materials[0].ior = 1; },
         [](Scene& s) { s.materials[0].priority = 1; },
+        [](Scene& s) { s.materials[0].emits = scene::EmittingSides::both; },
         [](Scene& s) { s.materials[0].glossDegrees = 1; },
         [](Scene& s) { s.materials[0].translucencyDegrees = 1; },
         [](Scene& s) { s.materials[0].alphaMask = nullptr; },

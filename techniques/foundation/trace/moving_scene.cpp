@@ -44,13 +44,19 @@ SurfacePoint MovingScene::met(const Ray& ray, std::uint32_t leftOut, double time
         if (hit && (!nearest || hit.t < nearest.t || (hit.t == nearest.t && hit.primitive < nearest.primitive)))
             nearest = hit;
     }
-    return tracer_.surfacePoint(ray.directionCentred, nearest);
+    if (!nearest) return {};
+    const dvec3 movedWorld = time * tracer_.scene().objects[tracer_.world().objects[nearest.primitive]].velocityWorld;
+    return tracer_.surfacePoint(
+        ray.directionCentred, tracer_.seenInstead(movedBack(ray, movedWorld), nearest, tracer_.mayMeet(leftOut), time));
 }
 
-bool MovingScene::isBlocked(const Ray& ray, std::uint32_t leftOut, double time) const {
-    if (!moves()) return tracer_.isBlocked(ray, leftOut);
+bool MovingScene::isBlocked(const Ray& ray, std::uint32_t leftOut, double time, int light) const {
+    if (!moves()) return tracer_.isBlocked(ray, leftOut, light);
     return std::ranges::any_of(parts_, [&](const Part& part) {
-        return part.engine->any(movedBack(ray, time * part.velocityWorld), tracer_.mayStandIn(leftOut)) != kNoPrimitive;
+        const dvec3 movedWorld = time * part.velocityWorld;
+        const int lamp =
+            movedWorld == dvec3(0.0) ? light : SceneTracer::kAnyLight; // what moves leaves the lamp's plane
+        return part.engine->any(movedBack(ray, movedWorld), tracer_.mayStandIn(leftOut, lamp)) != kNoPrimitive;
     });
 }
 

@@ -31,7 +31,8 @@ public:
     /// What the ray meets first, as SceneTracer::met().
     [[nodiscard]] SurfacePoint met(const Ray& ray, std::uint32_t leftOut, double time) const;
     /// True if something that casts shadows blocks the ray, as SceneTracer::isBlocked().
-    [[nodiscard]] bool isBlocked(const Ray& ray, std::uint32_t leftOut, double time) const;
+    [[nodiscard]] bool isBlocked(const Ray& ray, std::uint32_t leftOut, double time,
+                                 int light = SceneTracer::kAnyLight) const;
     /// Where a point of a surface has got to.
     [[nodiscard]] dvec3 positionCentred(const SurfacePoint& point, double time) const {
         return tracer_.positionCentred(point) + time * tracer_.objectOf(point).velocityWorld;

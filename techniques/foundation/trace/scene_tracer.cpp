@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/trace/scene_tracer.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "techniques/foundation/scene/query/facing.h"
+#include "techniques/foundation/scene/query/lamp_plane.h"
 #include "techniques/foundation/scene/query/shading.h"
 #include "techniques/foundation/trace/bvh/bvh_traverse.h"
 
@@ -36,6 +39,7 @@ bool SceneTracer::advance(const scene::Snapshot& snapshot, std::chrono::steady_c
     holes_ = Holes(*snapshot_, world());
     holesForLight_ = castsWhole_ ? Holes() : holes_;
     lookAtLights();
+    contacts_ = scene::EmitterContacts(*snapshot_);
     return true;
 }
 
@@ -59,6 +63,10 @@ void SceneTracer::lookAtLights() {
             // A triangle whose plane holds the light is only ever touched, at the light itself, never crossed.
             view.blocks.push_back(facing[i] != 0 && object.castsShadow ? 1 : 0);
         }
+        const std::vector<std::uint8_t> inPlane = scene::inLampPlane(*snapshot_, light);
+        if (!inPlane.empty()) view.hidesPart = casts_;
+        for (std::size_t i = 0; i < inPlane.size(); ++i)
+            if (inPlane[i]) view.hidesPart[i] = 0;
         lights_.push_back(std::move(view));
     }
 }
@@ -83,7 +91,34 @@ RayTests SceneTracer::testsOf(const Engine& engine, const EyeRays& rays, dvec2 p
 }
 
 SurfacePoint SceneTracer::eyePoint(const EyeRays& rays, dvec2 pixel) const {
-    return surfacePoint(rays, closest(rays.through(pixel), mayMeet(kNoPrimitive)));
+    const Ray ray = rays.through(pixel);
+    const MayHit all = mayMeet(kNoPrimitive);
+    return surfacePoint(rays, seenInstead(ray, closest(ray, all), all));
+}
+
+RayHit SceneTracer::seenInstead(const Ray& ray, const RayHit& hit, const MayHit& mayHit, double time) const {
+    if (!hit || !contacts_.touches(hit.primitive)) return hit;
+    const ShearedRay sheared(ray);
+    std::vector<RayHit> hits{hit};
+    for (const std::uint32_t other : contacts_.of(hit.primitive)) {
+        if (!mayHit(other)) continue;
+        if (time != 0 && snapshot_->objects[world().objects[other]].velocityWorld !=
+                             snapshot_->objects[world().objects[hit.primitive]].velocityWorld)
+            continue; // they have parted
+        const auto found = intersect(sheared, bvh().triangles[other], std::numeric_limits<double>::infinity());
+        if (found && !mayHit.inHole(other, found->barycentric))
+            hits.push_back({found->reach / sheared.reachPerT, other, found->barycentric});
+    }
+    std::vector<scene::SeenTriangle> together;
+    for (const RayHit& one : hits) {
+        const SurfacePoint point = surfacePoint(ray.directionCentred, one);
+        const scene::Object& object = objectOf(point);
+        const scene::Material& material = scene::materialOfTriangle(
+            *snapshot_, object, one.primitive - world().firstOfObject[world().objects[one.primitive]]);
+        together.push_back({one.primitive, scene::shinesFrom(material, point.eyeOnFront != scene::isMirrored(object)),
+                            material.emission != vec3(0.0f)});
+    }
+    return *std::ranges::find(hits, scene::seenOf(together), &RayHit::primitive);
 }
 
 SurfacePoint SceneTracer::surfacePoint(const EyeRays& rays, const RayHit& hit) const {
@@ -107,11 +142,11 @@ SurfacePoint SceneTracer::nextPoint(const dvec3& fromCentred, std::uint32_t left
 }
 
 SurfacePoint SceneTracer::met(const Ray& ray, std::uint32_t leftOut) const {
-    return surfacePoint(ray.directionCentred, closest(ray, mayMeet(leftOut)));
+    return surfacePoint(ray.directionCentred, seenInstead(ray, closest(ray, mayMeet(leftOut)), mayMeet(leftOut)));
 }
 
-bool SceneTracer::isBlocked(const Ray& ray, std::uint32_t leftOut) const {
-    return any(ray, mayStandIn(leftOut)) != kNoPrimitive;
+bool SceneTracer::isBlocked(const Ray& ray, std::uint32_t leftOut, int light) const {
+    return any(ray, mayStandIn(leftOut, light)) != kNoPrimitive;
 }
 
 SurfacePoint SceneTracer::surfacePoint(const dvec3& directionWorld, const RayHit& hit) const {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 
+#include "techniques/foundation/scene/query/emitter_contacts.h"
 #include "techniques/foundation/trace/bvh/bvh_build.h"
 #include "techniques/foundation/trace/eye_rays.h"
 #include "techniques/foundation/trace/judge/exact_visibility.h"
@@ -81,11 +82,23 @@ public:
 
     /// What the ray meets first; seen from the side that it comes from.
     [[nodiscard]] SurfacePoint met(const Ray& ray, std::uint32_t leftOut) const;
-    /// True if something that casts shadows blocks the ray.
-    [[nodiscard]] bool isBlocked(const Ray& ray, std::uint32_t leftOut) const;
+    /// True if something that casts shadows blocks the ray. `light`: the ray goes to a place on that light, so what lies in the
+    /// plane of a rect does not block it (lamp_plane.h); kAnyLight: it goes anywhere.
+    [[nodiscard]] bool isBlocked(const Ray& ray, std::uint32_t leftOut, int light = kAnyLight) const;
+    static constexpr int kAnyLight = -1;
     /// What an engine over the same triangles is asked for, to answer these two.
     [[nodiscard]] MayHit mayMeet(std::uint32_t leftOut) const { return {.except = leftOut, .holes = &holes_}; }
-    [[nodiscard]] MayHit mayStandIn(std::uint32_t leftOut) const { return {leftOut, casts_.data(), &holesForLight_}; }
+    [[nodiscard]] MayHit mayStandIn(std::uint32_t leftOut, int light = kAnyLight) const {
+        return {leftOut, castersFor(light).data(), &holesForLight_};
+    }
+    /// For each triangle 1 if it can hide a part of the light, else 0.
+    [[nodiscard]] std::span<const std::uint8_t> castersFor(int light) const {
+        if (light == kAnyLight || lights_[static_cast<std::size_t>(light)].hidesPart.empty()) return casts_;
+        return lights_[static_cast<std::size_t>(light)].hidesPart;
+    }
+    /// The hit, or that on another triangle at the same place that is seen instead (scene/query/emitter_contacts.h). `time`: of what
+    /// moves (moving_scene.h).
+    [[nodiscard]] RayHit seenInstead(const Ray& ray, const RayHit& hit, const MayHit& mayHit, double time = 0) const;
     /// What a ray of that direction has hit.
     [[nodiscard]] SurfacePoint surfacePoint(const dvec3& directionWorld, const RayHit& hit) const;
 
@@ -177,8 +190,11 @@ private:
     struct LightView {                    ///< per light, of each triangle
         std::vector<std::uint8_t> gates;  ///< see Gate
         std::vector<std::uint8_t> blocks; ///< 1 if it can block the light
+        /// 1 if it can hide a part of a light with an area; empty: as in casts_.
+        std::vector<std::uint8_t> hidesPart;
     };
     std::vector<LightView> lights_;
+    scene::EmitterContacts contacts_;
     std::vector<std::uint8_t> casts_; ///< per triangle: 1 if its object casts shadows
 };
 

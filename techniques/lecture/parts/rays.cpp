@@ -95,7 +95,26 @@ std::optional<Surface> RayScene::firstSurface(const Ray& ray) const {
         return false; // a nearer one may come
     });
     if (!nearest.triangle) return std::nullopt;
-    return surfaceAt(ray, nearest);
+    return contacts_.touches(nearest.triangle->number) ? seenInContact(ray, nearest) : surfaceAt(ray, nearest);
+}
+
+/// An emitter may lie in the face that is met (scene/query/emitter_contacts.h).
+Surface RayScene::seenInContact(const Ray& ray, const Hit& nearest) const {
+    std::vector<Surface> surfaces{surfaceAt(ray, nearest)};
+    Ray farther = ray;
+    farther.farthest = nearest.distance + kContact;
+    Hit hit;
+    for (const std::uint32_t other : contacts_.of(nearest.triangle->number))
+        if (const Triangle& t = triangles_[other];
+            &t != ray.leaves && intersects(farther, t, hit) &&
+            !scene::isInHole(scene(), objectOf(t), t.inObject, {1 - hit.b - hit.c, hit.b, hit.c}))
+            surfaces.push_back(surfaceAt(ray, hit));
+    std::vector<scene::SeenTriangle> together;
+    for (const Surface& surface : surfaces)
+        together.push_back({surface.triangle->number, scene::shinesFrom(*surface.material, surface.onFront),
+                            surface.material->emission != vec3(0.0f)});
+    const std::uint32_t seen = scene::seenOf(together);
+    return *std::ranges::find_if(surfaces, [&](const Surface& surface) { return surface.triangle->number == seen; });
 }
 
 bool RayScene::isBlocked(const Ray& ray) const {
@@ -136,9 +155,7 @@ Surface RayScene::surfaceAt(const Ray& ray, const Hit& hit) const {
 }
 
 vec3 RayScene::emissionAt(const Surface& surface) const {
-    const int light = objectOf(*surface.triangle).emitterOfLight;
-    const bool isRect = light >= 0 && scene().light(light).type == scene::LightType::rect;
-    return isRect && !surface.onFront ? vec3(0.0f) : surface.material->emission;
+    return scene::shinesFrom(*surface.material, surface.onFront) ? surface.material->emission : vec3(0.0f);
 }
 
 RayScene::RayScene(const scene::Snapshot& snapshot) : snapshot_(snapshot) {
@@ -160,6 +177,7 @@ RayScene::RayScene(const scene::Snapshot& snapshot) : snapshot_(snapshot) {
     for (const Triangle& t : triangles_)
         sorted_.push_back(&t);
     all_ = enclose(sorted_);
+    contacts_ = scene::EmitterContacts(scene());
     for (const scene::Light& light : scene().lights)
         facing_.push_back(scene::facingSigns(scene(), light));
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "techniques/foundation/scene/model/scene.h"
+#include "techniques/foundation/scene/query/emitter_contacts.h"
 
 namespace shadowlab::lecture {
 
@@ -69,7 +70,7 @@ public:
     [[nodiscard]] int lightSide(const Triangle& t, int light) const {
         return facing_[static_cast<std::size_t>(light)][t.number];
     }
-    /// Of the surface itself; that of a rect light shines to its front alone.
+    /// Of the surface itself, toward the ray's origin: most emitters shine from their front alone.
     [[nodiscard]] vec3 emissionAt(const Surface& surface) const;
 
     [[nodiscard]] std::optional<Surface> firstSurface(const Ray& ray) const;
@@ -80,10 +81,12 @@ public:
 
 private:
     [[nodiscard]] Surface surfaceAt(const Ray& ray, const Hit& hit) const;
+    [[nodiscard]] Surface seenInContact(const Ray& ray, const Hit& nearest) const;
     scene::Snapshot snapshot_;
     std::vector<std::vector<std::int8_t>> facing_; ///< per light and triangle
-    std::vector<Triangle> triangles_;              ///< in the order of the scene
-    std::vector<const Triangle*> sorted_;          ///< as they lie in the tree
+    scene::EmitterContacts contacts_;
+    std::vector<Triangle> triangles_;     ///< in the order of the scene
+    std::vector<const Triangle*> sorted_; ///< as they lie in the tree
     std::unique_ptr<BoundingVolume> all_;
 };
 

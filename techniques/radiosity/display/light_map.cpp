@@ -51,8 +51,8 @@ bool LightMap::advance(const scene::Snapshot& snapshot, const RoomCache& cache, 
             map = {snapshot->lights[i], std::vector<vec4>(points_.size(), vec4(0.0f)), 0};
         if (map.next == blocks) continue;
         const LightSource source(map.light, tracer_.world().originWorld, cache.room().sides().faces);
-        map.next =
-            trace::parallelUntil(deadline, map.next, blocks, [&](std::size_t block) { fill(map, source, block); });
+        map.next = trace::parallelUntil(deadline, map.next, blocks,
+                                        [&](std::size_t block) { fill(map, static_cast<int>(i), source, block); });
         if (map.next < blocks) return false;
         ++version_;
     }
@@ -117,14 +117,14 @@ void LightMap::bringToSurface(Point& point, std::uint32_t object, double within)
     if (hit && tracer_.world().objects[hit.primitive] == object) point.positionCentred = tracer_.positionCentred(hit);
 }
 
-void LightMap::fill(OfLight& map, const LightSource& source, std::size_t block) const {
+void LightMap::fill(OfLight& map, int light, const LightSource& source, std::size_t block) const {
     for (std::size_t i = block * kBlock; i < std::min((block + 1) * kBlock, points_.size()); ++i) {
         const Point& point = points_[i];
         const auto isBlocked = [&](const dvec3& fromCentred, const dvec3& toCentred) {
             if (!point.receivesShadow) return false;
             const dvec3 way = toCentred - fromCentred;
             return tracer_.isBlocked({fromCentred, way, nearest_ / glm::length(way), 1 - trace::kContact},
-                                     trace::kNoPrimitive); // a light may lie in the plane of a face
+                                     trace::kNoPrimitive, light); // a light may touch a face
         };
         const Arriving arriving = radiosity::arrivingAt(point.positionCentred, point.normal, source, isBlocked);
         map.arriving[i] = vec4(vec3(arriving.irradiance), static_cast<float>(arriving.seenArea));

@@ -50,7 +50,7 @@ private:
     void addLattice(const Patch& patch, const FaceFrame& frame, double spacing, Point point);
     /// Moves a point from a simplified mesh to the original one, if that is within `within` metres.
     void bringToSurface(Point& point, std::uint32_t object, double within) const;
-    void fill(OfLight& map, const LightSource& source, std::size_t block) const;
+    void fill(OfLight& map, int light, const LightSource& source, std::size_t block) const;
     [[nodiscard]] dvec3 arrivingAt(std::size_t point) const;
 
     trace::SceneTracer tracer_;

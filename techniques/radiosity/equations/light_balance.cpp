@@ -14,7 +14,8 @@ Sources sourcesOf(const Room& room, std::span<const DirectLight* const> lights, 
     const auto add = [&](const Patch& patch, double seenOutside) {
         const scene::Material& material = room.materialOf(patch);
         // A Lambertian surface of radiance L sends pi L into its hemisphere.
-        sources.emission.push_back(glm::pi<double>() * dvec3(material.emission));
+        sources.emission.push_back(room.faceOf(patch).shines ? glm::pi<double>() * dvec3(material.emission)
+                                                             : dvec3(0.0));
         sources.reflectance.emplace_back(glm::clamp(room.reflectanceOf(patch), 0.0, 1.0));
         sources.fromOutside.push_back(glm::pi<double>() * seenOutside * surroundings);
     };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/radiosity/room/room.h"
 
+#include <algorithm>
+
 #include "techniques/foundation/trace/bvh/bvh_build.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/radiosity/patches/contacts.h"
@@ -21,6 +23,49 @@ constexpr double kFold = 0.5, kNothingElse = 0.95;
 
 // The share of the budget that simplified meshes may use; flat faces must be cut as well.
 constexpr double kShareOfFaces = 0.6;
+
+/// Of sides in one plane that face one way, the one of higher rank is seen, as by an eye (scene/query/emitter_contacts.h): one that
+/// shines, then one of no emitter, then one of an emitter that is dark.
+int rankOf(const Face& side, const scene::Scene& scene) {
+    return scene.materials[side.material].emission == vec3(0.0f) ? 1 : side.shines ? 2 : 0;
+}
+
+/// For each side those that would cover it where they overlap; empty: there are no emitters.
+std::vector<std::vector<std::uint32_t>> facesOver(const std::vector<Face>& sides, const scene::Scene& scene) {
+    std::vector<std::uint32_t> emitters;
+    for (std::uint32_t i = 0; i < sides.size(); ++i)
+        if (scene.materials[sides[i].material].emission != vec3(0.0f)) emitters.push_back(i);
+    if (emitters.empty()) return {};
+    std::vector<std::vector<std::uint32_t>> over(sides.size());
+    for (std::uint32_t i = 0; i < sides.size(); ++i) {
+        const double size = sizeOf(sides[i].polygon);
+        trace::CentredBox box = boxOf(sides[i].polygon);
+        box.grow(kTouching * size);
+        for (const std::uint32_t e : emitters) {
+            const Face &one = sides[i], &emitter = sides[e];
+            const double touching = kTouching * (size + sizeOf(emitter.polygon));
+            const Plane turned{one.plane.point, -one.plane.normal};
+            if (e == i || glm::dot(one.plane.normal, emitter.plane.normal) < 0 ||
+                !box.touches(boxOf(emitter.polygon)) || !isBehind(one.plane, emitter.polygon, touching) ||
+                !isBehind(turned, emitter.polygon, touching))
+                continue;
+            const int own = rankOf(one, scene), other = rankOf(emitter, scene);
+            const bool isLater = emitter.triangles[0] > one.triangles[0];
+            if (other > own || (other == own && (other == 2) == isLater)) over[i].push_back(e);
+            if (own == 1 && other == 0) over[e].push_back(i); // the other emitters look for themselves
+        }
+    }
+    return over;
+}
+
+/// Is the point, which lies in the plane of the convex polygon, within it?
+bool holds(const Polygon& polygon, const dvec3& point, const dvec3& normal) {
+    for (std::size_t i = 0; i < polygon.count(); ++i) {
+        const dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.count()];
+        if (glm::dot(glm::cross(b - a, point - a), normal) < 0) return false;
+    }
+    return true;
+}
 
 } // namespace
 
@@ -138,8 +183,12 @@ std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements)
 
 void Room::leaveOutCovered() {
     std::size_t kept = 0;
+    const std::vector<std::vector<std::uint32_t>> under = facesOver(sides_.faces.all, *simple_->scene);
     for (std::size_t i = 0; i < patches_.size(); ++i) {
-        if (inBodies_[i] > kCovered) {
+        const auto covers = [&](std::uint32_t side) {
+            return holds(sides_.faces.all[side].polygon, patches_[i].centre, patches_[i].normal);
+        };
+        if (inBodies_[i] > kCovered || (!under.empty() && std::ranges::any_of(under[patches_[i].face], covers))) {
             ++coveredPatches_;
             continue;
         }

@@ -20,6 +20,18 @@ Face turned(const Face& face) {
     return back;
 }
 
+/// Does the face shine into the inside of the box? Its middle is looked at from a little before it: it may lie in a side of the box.
+bool shinesInto(const Face& face, const scene::Material& material, bool isMirrored, const trace::CentredBox& box) {
+    const dvec3 middle = centroid(face.polygon);
+    const dvec3 step = kTouching * glm::length(box.upper - box.lower) * face.plane.normal;
+    const auto isWithin = [&](const dvec3& p) {
+        return glm::all(glm::greaterThan(p, box.lower)) && glm::all(glm::lessThan(p, box.upper));
+    };
+    return (scene::shinesFrom(material, !isMirrored) && isWithin(middle + step)) ||
+           (scene::shinesFrom(material, isMirrored) && isWithin(middle - step)) ||
+           (material.emission != vec3(0.0f) && std::ranges::any_of(face.polygon.corners(), isWithin));
+}
+
 /// For each object: can the inside of its surface be bright and visible?
 std::vector<bool> openObjects(const scene::Scene& scene, const trace::WorldTriangles& world, const Faces& faces,
                               const std::vector<bool>& lightWithin) {
@@ -30,12 +42,9 @@ std::vector<bool> openObjects(const scene::Scene& scene, const trace::WorldTrian
     std::vector<bool> open;
     for (std::uint32_t o = 0; o < scene.objects.size(); ++o) {
         const scene::Object& object = scene.objects[o];
-        const auto isWithin = [&](const dvec3& p) {
-            return glm::all(glm::greaterThan(p, boxes[o].lower)) && glm::all(glm::lessThan(p, boxes[o].upper));
-        };
         const auto shinesWithin = [&](const Face& face) {
-            return scene.materials[face.material].emission != vec3(0.0f) &&
-                   std::ranges::any_of(face.polygon.corners(), isWithin);
+            return shinesInto(face, scene.materials[face.material], scene::isMirrored(scene.objects[face.object]),
+                              boxes[o]);
         };
         // An object that casts no shadow lets light in from outside.
         open.push_back(!object.mesh->outward || !object.castsShadow || lightWithin[o] ||
@@ -103,7 +112,9 @@ Sides sidesOf(const scene::Scene& scene, const trace::WorldTriangles& world, con
             if (!open[face.object] && isBack != scene::isMirrored(scene.objects[face.object])) continue;
             if (open[face.object] && isBack && opposite[number] != kNoFace)
                 continue; // the opposite face's front; set below
-            const Face side = isBack ? turned(face) : face;
+            Face side = isBack ? turned(face) : face;
+            side.shines = scene::shinesFrom(scene.materials[face.material],
+                                            isBack == scene::isMirrored(scene.objects[face.object]));
             if (seesAnything(side, plain))
                 add(side, isBack);
             else

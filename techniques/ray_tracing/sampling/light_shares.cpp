@@ -100,7 +100,7 @@ double sampledShare(const RayWorld& world, const trace::SurfacePoint& point, con
         const std::uint64_t place = node.placeOf(light, tracer.scene().lights.size());
         const LightSample chosen = sampler.sample(numbers.pair(Purpose::light, place));
         all += chosen.areaWeight;
-        if (visibilityAlong(world, {}, node, chosen.onLightCentredOffset) == trace::Visibility::lit)
+        if (visibilityAlong(world, {}, node, light, chosen.onLightCentredOffset) == trace::Visibility::lit)
             seen += chosen.areaWeight;
     }
     return all > 0 ? seen / all : 0.0;

@@ -20,7 +20,7 @@ trace::Visibility visibilityOfCentre(const RayWorld& world, const TreeSettings& 
     if (!scene::lightShinesTo(source, positionWorld)) return trace::Visibility::turnedAway;
     // A directional light is far beyond everything in the scene.
     const double far = 4 * tracer.largestCentred() + glm::length(node.positionCentred);
-    return visibilityAlong(world, settings, node,
+    return visibilityAlong(world, settings, node, light,
                            source.type == scene::LightType::directional ? -far * source.directionWorld
                                                                         : source.positionWorld - positionWorld);
 }
@@ -39,7 +39,7 @@ LightAtNode sampledLight(const RayWorld& world, const TreeSettings& settings, co
     at.towardWorld = sample.towardWorld;
     at.toPlace = sample.onLightCentredOffset;
     at.areaWeight = sample.areaWeight;
-    at.visibility = visibilityAlong(world, settings, node, sample.onLightCentredOffset);
+    at.visibility = visibilityAlong(world, settings, node, light, sample.onLightCentredOffset);
     if (at.visibility != trace::Visibility::lit) return at;
     const double cosine = std::max(0.0, glm::dot(node.normalWorld, sample.towardWorld));
     at.intensity = dvec3(source.color) * source.intensity * sample.solidAngle * cosine *
@@ -73,7 +73,7 @@ LightAtNode analyticLight(const RayWorld& world, const TreeNode& node, int light
 
 } // namespace
 
-trace::Visibility visibilityAlong(const RayWorld& world, const TreeSettings& settings, const TreeNode& node,
+trace::Visibility visibilityAlong(const RayWorld& world, const TreeSettings& settings, const TreeNode& node, int light,
                                   const dvec3& offset) {
     const Surfaces& surfaces = world.surfaces;
     if (!(glm::dot(surfaces.geometricNormalWorld(node.point), offset) > 0)) return trace::Visibility::turnedAway;
@@ -85,7 +85,8 @@ trace::Visibility visibilityAlong(const RayWorld& world, const TreeSettings& set
     ray.nearest = naive ? 0 : trace::kContact;
     ray.farthest = 1.0;
     const std::uint32_t leftOut = naive ? trace::kNoPrimitive : node.point.primitive;
-    return world.scene.isBlocked(ray, leftOut, world.time) ? trace::Visibility::shadowed : trace::Visibility::lit;
+    return world.scene.isBlocked(ray, leftOut, world.time, light) ? trace::Visibility::shadowed
+                                                                  : trace::Visibility::lit;
 }
 
 LightAtNode lightAt(const RayWorld& world, const TreeSettings& settings, const TreeNode& node, int light) {

@@ -8,9 +8,9 @@ namespace shadowlab::ray_tracing {
 /// `node` must have its point, position and normal.
 LightAtNode lightAt(const RayWorld& world, const TreeSettings& settings, const TreeNode& node, int light);
 
-/// Is the segment from the node's point by `offset` (metres), to a point on the light, unblocked? `node.u` tells which side of
+/// Is the segment from the node's point by `offset` (metres), to a point on that light, unblocked? `node.u` tells which side of
 /// the triangle is seen.
-trace::Visibility visibilityAlong(const RayWorld& world, const TreeSettings& settings, const TreeNode& node,
+trace::Visibility visibilityAlong(const RayWorld& world, const TreeSettings& settings, const TreeNode& node, int light,
                                   const dvec3& offset);
 
 } // namespace shadowlab::ray_tracing

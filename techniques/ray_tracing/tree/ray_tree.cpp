@@ -148,8 +148,7 @@ void RayTree::split(const RayWorld& world, const TreeSettings& settings, std::si
     const dvec3 diffuse(surfaces.diffuseOf(node.point));
     const bool spreads = settings.interreflection && world.numbers && diffuse != dvec3(0.0);
     if (!surfaces.splits(node.point) && !spreads) {
-        const bool shines = surfaces.materialOf(node.point).emission != vec3(0) && surfaces.emitsHere(node.point);
-        node.end = shines ? RayEnd::lightSource : RayEnd::opaque;
+        node.end = surfaces.emitsHere(node.point) ? RayEnd::lightSource : RayEnd::opaque;
         return;
     }
     if (settings.depth == 0) {

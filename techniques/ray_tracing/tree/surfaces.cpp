@@ -60,9 +60,7 @@ vec3 Surfaces::diffuseOf(const trace::SurfacePoint& point) const {
 }
 
 bool Surfaces::emitsHere(const trace::SurfacePoint& point) const {
-    const int light = tracer_->objectOf(point).emitterOfLight;
-    const bool rect = light >= 0 && scene().light(light).type == scene::LightType::rect;
-    return !rect || point.eyeOnFront;
+    return scene::shinesFrom(materialOf(point), point.eyeOnFront != scene::isMirrored(tracer_->objectOf(point)));
 }
 
 // [anchor: shaded-lights-off]

@@ -24,7 +24,7 @@ public:
     [[nodiscard]] vec3 diffuseOf(const trace::SurfacePoint& point) const;
     /// Has the surface not the same colour all over?
     [[nodiscard]] bool hasOwnColors(const trace::SurfacePoint& point) const { return ownColors_[objectOf(point)]; }
-    /// A rect light's surface is dark on its back.
+    /// Does the surface shine toward the viewer? Most emitters are dark on their back.
     [[nodiscard]] bool emitsHere(const trace::SurfacePoint& point) const;
     /// Emitted radiance toward the viewer.
     [[nodiscard]] vec3 emitted(const trace::SurfacePoint& point) const {

@@ -5,6 +5,7 @@
 
 #include "techniques/foundation/scene/query/casters.h"
 #include "techniques/foundation/scene/query/facing.h"
+#include "techniques/foundation/scene/query/lamp_plane.h"
 #include "techniques/shadow_volume/count/volume.h"
 #include "techniques/shadow_volume/cull/overlaps.h"
 
@@ -81,10 +82,13 @@ void Casters::update(CasterVolume& caster, const scene::Object& object, const sc
     const std::shared_ptr<CasterMesh>& mesh = shared(object.mesh);
     const dvec4 lightMesh = scene::lightMesh(object, light);
     const bool sameMesh = caster.mesh == mesh;
-    if (sameMesh && caster.lightMesh == lightMesh) return;
+    const dvec3 lampNormalWorld = light.type == scene::LightType::rect ? scene::rectNormalWorld(light) : dvec3(0.0);
+    if (sameMesh && caster.lightMesh == lightMesh && caster.lampNormalWorld == lampNormalWorld) return;
     caster.lightMesh = lightMesh;
+    caster.lampNormalWorld = lampNormalWorld;
     facing_.resize(mesh->planes.size());
     mesh->planes.findSigns(lightMesh, facing_);
+    scene::clearInLampPlane(object, light, facing_);
     if (construction_ == Construction::general) scene::keepFrontFacesAlone(facing_, mesh->outward, lightMesh);
     if (sameMesh && caster.facing == facing_) return;
     caster.mesh = mesh;

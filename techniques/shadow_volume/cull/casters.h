@@ -54,6 +54,7 @@ struct CasterVolume {
     // The cache key of the volume: as long as these are the same, so is the volume.
     std::shared_ptr<CasterMesh> mesh;
     dvec4 lightMesh{0.0};            ///< the light, seen from the mesh
+    dvec3 lampNormalWorld{0.0};      ///< of a rect light; what lies in its plane casts no shadow
     std::vector<std::int8_t> facing; ///< a light that moved a little may leave all signs as they were
 };
 

@@ -27,6 +27,7 @@ TEST(Mtl, ValuesAreReadAndTrianglesGroupedByMaterial) {
     EXPECT_EQ(red.specular, vec3(0.5f));
     EXPECT_EQ(red.shininess, 90.0f);
     EXPECT_EQ(red.emission, vec3(2, 0, 0));
+    EXPECT_EQ(red.emits, EmittingSides::both) << "the file cannot say which side";
     EXPECT_EQ(red.transparency, 0.75);
     EXPECT_EQ(red.ior, 1.33);
     EXPECT_EQ(obj.materials[1].name, "blue sky");

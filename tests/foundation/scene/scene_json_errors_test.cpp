@@ -160,6 +160,8 @@ INSTANTIATE_TEST_SUITE_P(
                     BadScene{"PriorityNotWhole", MATERIAL("\"priority\": 1.5"), "2:13", "whole number"},
                     BadScene{"GlossTooWide", MATERIAL("\"glossDegrees\": 91"), "2:17", "from 0 to 90"},
                     BadScene{"EmissionNegative", MATERIAL("\"emission\": [0,0,-1]"), "2:18", "from 0 to 1e+15"},
+                    BadScene{"EmitsFromNowhere", MATERIAL("\"emits\": \"back\""), "2:10",
+                             R"("emits" of material 'a' is "back"; it must be "front" or "both")"},
                     BadScene{"AlphaMapMissing", MATERIAL("\"alphaMap\": \"none.png\""), "2:13", "No such file"},
                     BadScene{"AlphaMapOutside", MATERIAL("\"alphaMap\": \"/etc/passwd\""), "2:13", "--allow DIR"}),
     nameOf);

@@ -96,7 +96,7 @@ TEST(SceneJson, AreaLightsGetASurfaceThatShinesAndBlocksNothing) {
 TEST(SceneJson, MaterialsAreReadAndWhiteIsAlwaysThereFirst) {
     const auto scene = parse("{" + kCamera + R"(, "materials": {
         "glass": {"diffuse": [0, 0, 0], "specular": [1, 1, 1], "shininess": 200, "reflectivity": 0.1, "transparency": 0.9,
-                  "ior": 1.33, "priority": 2, "glossDegrees": 1, "translucencyDegrees": 3, "emission": [0, 5, 0]},
+                  "ior": 1.33, "priority": 2, "glossDegrees": 1, "translucencyDegrees": 3, "emission": [0, 5, 0], "emits": "both"},
         "white": {"diffuse": [0.5, 0.5, 0.5]}},
         "objects": [{"shape": "box", "size": [1, 1, 1], "material": "glass"}, {"shape": "box", "size": [1, 1, 1]}]})");
     ASSERT_EQ(scene->materials.size(), 2u);
@@ -110,6 +110,8 @@ TEST(SceneJson, MaterialsAreReadAndWhiteIsAlwaysThereFirst) {
     EXPECT_EQ(glass.glossDegrees, 1.0);
     EXPECT_EQ(glass.translucencyDegrees, 3.0);
     EXPECT_EQ(glass.emission, vec3(0, 5, 0));
+    EXPECT_EQ(glass.emits, EmittingSides::both);
+    EXPECT_EQ(scene->materials[0].emits, EmittingSides::front) << "the default";
     EXPECT_EQ(scene->objects[0].partMaterials, std::vector<std::uint32_t>{1});
     EXPECT_EQ(scene->objects[1].partMaterials, std::vector<std::uint32_t>{0});
 }

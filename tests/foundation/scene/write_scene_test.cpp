@@ -42,6 +42,7 @@ int expectSame(const Scene& a, const Scene& b) {
             EXPECT_EQ(m.specular, n.specular);
             EXPECT_EQ(m.shininess, n.shininess);
             EXPECT_EQ(m.emission, n.emission);
+            EXPECT_EQ(m.emits, n.emits);
             EXPECT_EQ(m.ior, n.ior);
             EXPECT_EQ(m.priority, n.priority);
             EXPECT_EQ(m.transparency, n.transparency);
@@ -93,7 +94,7 @@ TEST(WriteScene, EveryKeyOfTheFormatComesBack) {
       "materials": {"white": {"diffuse": [0.7, 0.7, 0.7]},
         "odd \\ name": {"diffuse": [0.2, 0.3, 0.4], "specular": [0.5, 0.5, 0.5], "shininess": 77.7, "reflectivity": 0.25,
           "transparency": 0.5, "ior": 1.33, "priority": 3, "glossDegrees": 2.5, "translucencyDegrees": 4.5,
-          "emission": [1, 2, 3], "alphaMap": "leaf.png"}},
+          "emission": [1, 2, 3], "emits": "both", "alphaMap": "leaf.png"}},
       "objects": [
         {"name": "floor", "shape": "quad", "size": [12.5, 0.1]},
         {"shape": "box", "size": [1, 2, 0.3], "translate": [0.1, 1e6, -3], "rotateDegrees": [10, 90, -33.3],

@@ -129,6 +129,8 @@ void SceneBuffers::update(const scene::Snapshot& snapshot) {
         facing_.clear();
         facingOfAllLights_.reset();
     }
+    if (!samePlaces || snapshot_->revisions.materials != snapshot->revisions.materials)
+        contacts_ = scene::EmitterContacts(*snapshot);
     if (!samePlaces) bounds_ = scene::objectBounds(*snapshot);
     // The previous snapshot is kept until the end of the function, so that no new mesh has the address of an old one.
     const scene::Snapshot previous = std::exchange(snapshot_, snapshot);
@@ -194,7 +196,8 @@ const Texture2D* SceneBuffers::mask(std::size_t object, std::size_t part) const 
 const TriangleTexture& SceneBuffers::facing(int light) const {
     const auto found = facing_.find(light);
     if (found != facing_.end()) return found->second;
-    return facing_.emplace(light, TriangleTexture(facingSigns(*snapshot_, snapshot_->light(light)), "facing signs")).first->second;
+    return facing_.emplace(light, TriangleTexture(facingSigns(*snapshot_, snapshot_->light(light)), "facing signs"))
+        .first->second;
 }
 
 const TriangleTexture& SceneBuffers::facingOfAllLights() const {

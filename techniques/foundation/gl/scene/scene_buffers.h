@@ -11,6 +11,7 @@
 #include "techniques/foundation/gl/program.h"
 #include "techniques/foundation/gl/texture.h"
 #include "techniques/foundation/scene/model/scene.h"
+#include "techniques/foundation/scene/query/emitter_contacts.h"
 
 namespace shadowlab::gl {
 
@@ -53,6 +54,8 @@ public:
     [[nodiscard]] const Texture2D& colorImage(std::size_t object, std::size_t part) const;
     /// Has a surface not the same colour all over?
     [[nodiscard]] bool anyOwnColors() const { return anyOwnColors_; }
+    /// Emitters that lie in another face, and so are drawn a little nearer or farther.
+    [[nodiscard]] const scene::EmitterContacts& contacts() const { return contacts_; }
     /// Number of triangles in the objects before this one: triangle t of it has the scene-wide index base + t.
     [[nodiscard]] int triangleBase(std::size_t object) const { return triangleBases_[object]; }
     /// Boxes around the objects (scene::objectBounds), made when the scene changes.
@@ -79,6 +82,7 @@ private:
     std::vector<bool> hasHoles_; ///< per object
     std::vector<int> triangleBases_;
     std::vector<scene::Bounds> bounds_;
+    scene::EmitterContacts contacts_;
     mutable std::map<int, TriangleTexture> facing_;
     mutable std::optional<TriangleTexture> facingOfAllLights_;
     Program greyed_{"fullscreen.vert", "greyed.frag"};

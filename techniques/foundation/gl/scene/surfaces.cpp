@@ -61,7 +61,8 @@ struct LightView {
 };
 
 LightView lightView(const scene::Light& light, const EyeMatrices& eye) {
-    const dvec3 directionWorld = light.type == scene::LightType::rect ? scene::rectNormalWorld(light) : light.directionWorld;
+    const dvec3 directionWorld =
+        light.type == scene::LightType::rect ? scene::rectNormalWorld(light) : light.directionWorld;
     const double halfConeRadians = light.coneDegrees * glm::pi<double>() / 360.0;
     return {.positionView = vec3(transformPoint(eye.viewFromWorld, light.positionWorld)),
             .directionView = vec3(transformDirection(eye.viewFromWorld, directionWorld)),
@@ -71,13 +72,8 @@ LightView lightView(const scene::Light& light, const EyeMatrices& eye) {
             .edge = static_cast<float>(light.edgeDegrees * glm::pi<double>() / 180.0)};
 }
 
-/// The surface of a rect light emits from its front alone.
-bool isRectSurface(const scene::Scene& scene, const scene::Object& object) {
-    return object.emitterOfLight >= 0 && scene.light(object.emitterOfLight).type == scene::LightType::rect;
-}
-
 /// What shaders/surface.vert and shaders/lights_off.frag ask of an object.
-void setObject(const Program& program, const scene::Scene& scene, const EyeMatrices& eye, const scene::Object& object) {
+void setObject(const Program& program, const EyeMatrices& eye, const scene::Object& object) {
     const dmat4 viewFromMesh = eye.viewFromWorld * scene::worldFromMesh(object);
     program.set("clipFromMesh", mat4(eye.clipFromView * viewFromMesh));
     program.set("viewFromMesh", mat4(viewFromMesh));
@@ -85,7 +81,6 @@ void setObject(const Program& program, const scene::Scene& scene, const EyeMatri
     program.set("stretchesNormals", scene::stretchesNormals(dmat3(object.worldFromObject)) ? 1 : 0);
     program.set("mirrored", scene::isMirrored(object) ? 1 : 0);
     program.set("receivesShadow", object.receivesShadow ? 1 : 0);
-    program.set("emitsFromFrontOnly", isRectSurface(scene, object) ? 1 : 0);
 }
 
 void drawRun(const Program& program, const SceneBuffers& buffers, std::size_t index, std::uint32_t first,
@@ -106,6 +101,40 @@ void setColorMap(const Program& program, const scene::Material& material, const 
     program.set("colorPlacement", placed(material.colorPlacement));
 }
 
+// An emitter in a face is drawn nearer by so many units of the depth buffer, four times what the rounding of two planes in float makes.
+constexpr float kContactUnits = 16;
+
+/// And by this share of the depth's slope per pixel: the rasteriser moves corners to a grid within pixels, those of the emitter and of
+/// the face by up to half of its step each. Four steps are eight times half a step.
+float contactSlope() {
+    GLint subpixelBits = 0;
+    glGetIntegerv(GL_SUBPIXEL_BITS, &subpixelBits);
+    return 4.0f / static_cast<float>(1 << subpixelBits);
+}
+
+/// A part of an object, `draw()`: an emitter that lies in a face is drawn before it where it shines toward the eye, else behind it
+/// (scene/query/emitter_contacts.h).
+template <typename Draw>
+void drawInContact(const scene::Scene& scene, const SceneBuffers& buffers, std::size_t index, std::size_t part,
+                   const Draw& draw) {
+    if (!buffers.contacts().isEmitterInFace(index, part)) return draw();
+    const scene::Object& object = scene.objects[index];
+    const scene::Material& material = scene.materials[object.partMaterials[part]];
+    const bool culls = glIsEnabled(GL_CULL_FACE);
+    const bool mirrored = scene::isMirrored(object); // what the rasteriser calls its front is then its back
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    for (const bool isFront : {true, false}) {
+        if (culls && !isFront) continue; // drawn objects whose back is culled
+        const float sign = scene::shinesFrom(material, isFront) ? -1.0f : 1.0f;
+        glEnable(GL_CULL_FACE);
+        glCullFace(isFront != mirrored ? GL_BACK : GL_FRONT);
+        glPolygonOffset(sign * contactSlope(), sign * kContactUnits);
+        draw();
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    if (!culls) glDisable(GL_CULL_FACE);
+}
+
 void drawPart(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t index,
               std::size_t partIndex) {
     const scene::Object& object = scene.objects[index];
@@ -119,13 +148,20 @@ void drawPart(const Program& program, const scene::Scene& scene, const SceneBuff
         setColorMap(program, material, buffers.colorImage(index, partIndex));
         program.set("usesVertexColors", scene::usesVertexColors(scene, object, partIndex) ? 1 : 0);
     }
+    const bool mirrored = scene::isMirrored(object); // what the rasteriser calls its front is then its back
+    program.set("emittingSides",
+                (scene::shinesFrom(material, !mirrored) ? 1 : 0) + (scene::shinesFrom(material, mirrored) ? 2 : 0));
     if (program.reads("frontInShadow")) {
         const vec3 reflected = scene.ambient * material.diffuse;
-        const vec3 front = finished(material.emission + reflected, scene.exposure);
-        program.set("frontInShadow", front);
-        program.set("backInShadow", isRectSurface(scene, object) ? finished(reflected, scene.exposure) : front);
+        const auto sideInShadow = [&](bool isFront) {
+            return finished(scene::shinesFrom(material, isFront) ? material.emission + reflected : reflected,
+                            scene.exposure);
+        };
+        program.set("frontInShadow", sideInShadow(!mirrored));
+        program.set("backInShadow", sideInShadow(mirrored));
     }
-    drawRun(program, buffers, index, part.firstTriangle, part.triangleCount);
+    drawInContact(scene, buffers, index, partIndex,
+                  [&] { drawRun(program, buffers, index, part.firstTriangle, part.triangleCount); });
 }
 
 /// The variant of a program that cuts holes, in use, with this mask of a part.
@@ -156,6 +192,16 @@ void drawIfSeen(const scene::Scene& scene, const SceneBuffers& buffers, const Ey
     glDisable(GL_CULL_FACE);
 }
 
+void drawPartDepth(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t object,
+                   std::size_t part, const dmat4& clipFromMesh) {
+    const Texture2D* mask = buffers.mask(object, part);
+    const Program& chosen = mask ? useAlphaTested(program, scene, object, part, *mask) : program;
+    chosen.use();
+    chosen.set("clipFromMesh", mat4(clipFromMesh));
+    const scene::MeshPart& run = scene.objects[object].mesh->parts[part];
+    drawRun(chosen, buffers, object, run.firstTriangle, run.triangleCount);
+}
+
 } // namespace
 
 EyeMatrices eyeMatrices(const scene::Camera& camera, ivec2 size) {
@@ -172,7 +218,7 @@ void drawSurfaces(const Program& program, const scene::Scene& scene, const Scene
 void drawSurface(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
                  std::size_t object, const ObjectSetup& setup) {
     drawIfSeen(scene, buffers, eye, object, setup, [&] {
-        setObject(program, scene, eye, scene.objects[object]);
+        setObject(program, eye, scene.objects[object]);
         for (std::size_t part = 0; part < scene.objects[object].mesh->parts.size(); ++part)
             drawPart(program, scene, buffers, object, part);
     });
@@ -183,7 +229,7 @@ void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, co
     // Object by object and part by part, as drawSurfaces does: of two surfaces at one depth the first drawn is the visible
     // one, in every pass.
     const auto drawObject = [&](std::size_t i) {
-        setObject(program, scene, eye, scene.objects[i]);
+        setObject(program, eye, scene.objects[i]);
         for (std::size_t part = 0; part < scene.objects[i].mesh->parts.size(); ++part) {
             const Texture2D* mask = buffers.mask(i, part);
             if (!mask) {
@@ -191,7 +237,7 @@ void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, co
                 continue;
             }
             const Program& alphaTested = useAlphaTested(program, scene, i, part, *mask);
-            setObject(alphaTested, scene, eye, scene.objects[i]);
+            setObject(alphaTested, eye, scene.objects[i]);
             drawPart(alphaTested, scene, buffers, i, part);
             program.use();
         }
@@ -207,13 +253,8 @@ void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuf
     program.set("clipFromMesh", mat4(clipFromMesh));
     if (!buffers.hasHoles(object))
         return drawRun(program, buffers, object, 0, static_cast<std::uint32_t>(mesh.triangles.size()));
-    for (std::size_t part = 0; part < mesh.parts.size(); ++part) {
-        const Texture2D* mask = buffers.mask(object, part);
-        const Program& chosen = mask ? useAlphaTested(program, scene, object, part, *mask) : program;
-        chosen.use();
-        chosen.set("clipFromMesh", mat4(clipFromMesh));
-        drawRun(chosen, buffers, object, mesh.parts[part].firstTriangle, mesh.parts[part].triangleCount);
-    }
+    for (std::size_t part = 0; part < mesh.parts.size(); ++part)
+        drawPartDepth(program, scene, buffers, object, part, clipFromMesh);
 }
 
 vec3 finished(const vec3& radiance, float exposure) {
@@ -244,6 +285,9 @@ void useForLight(const Program& program, const scene::Scene& scene, const SceneB
 void useForAllLights(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
                      const Texture2D* hiddenLights) {
     program.useWith(knownOfAllLights(scene, buffers, hiddenLights == nullptr));
+void useForAllLights(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
+                     const EyeMatrices& eye, const Texture2D* hiddenLights) {
+    program.useWith(knownOfAllLights(scene, hiddenLights == nullptr));
     program.set("ambient", scene.ambient);
     program.set("exposure", scene.exposure);
     std::vector<vec4> positionsView, directionsView, intensities, cones;
@@ -299,7 +343,12 @@ void drawSurfaceDepth(const Program& positionOnly, const scene::Scene& scene, co
                       const EyeMatrices& eye) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         drawIfSeen(scene, buffers, eye, i, {}, [&] {
-            drawDepth(positionOnly, scene, buffers, i, eye.clipFromMesh(scene.objects[i]));
+            const dmat4 clipFromMesh = eye.clipFromMesh(scene.objects[i]);
+            if (!buffers.contacts().hasEmitterInFace(i))
+                return drawDepth(positionOnly, scene, buffers, i, clipFromMesh);
+            for (std::size_t part = 0; part < scene.objects[i].mesh->parts.size(); ++part)
+                drawInContact(scene, buffers, i, part,
+                              [&] { drawPartDepth(positionOnly, scene, buffers, i, part, clipFromMesh); });
         });
 }
 

@@ -22,10 +22,16 @@ auto readImage(const SceneReading& reading, const JsonObject& keys, const char* 
     }
 }
 
+EmittingSides readEmits(const JsonObject& keys) {
+    for (const EmittingSides sides : {EmittingSides::front, EmittingSides::both})
+        if (keys.text("emits") == toText(sides)) return sides;
+    keys.fail("emits", "is " + inQuotes(keys.text("emits")) + R"(; it must be "front" or "both")");
+}
+
 Material readMaterial(const SceneReading& reading, const JsonMember& member, ImageFiles& images) {
     const JsonObject keys(reading.document, member.value, "material '" + shown(member.key) + "'",
                           {"diffuse", "specular", "shininess", "reflectivity", "transparency", "ior", "priority",
-                           "glossDegrees", "translucencyDegrees", "emission", "alphaMap", "diffuseMap"});
+                           "glossDegrees", "translucencyDegrees", "emission", "emits", "alphaMap", "diffuseMap"});
     const Range share = Range::between(0.0, 1.0);
     const Range angle = Range::between(0.0, 90.0);
     Material material;
@@ -42,6 +48,7 @@ Material readMaterial(const SceneReading& reading, const JsonMember& member, Ima
     material.glossDegrees = keys.number("glossDegrees", angle, material.glossDegrees);
     material.translucencyDegrees = keys.number("translucencyDegrees", angle, material.translucencyDegrees);
     material.emission = keys.color("emission", reading.atLeastZero(), material.emission);
+    if (keys.find("emits")) material.emits = readEmits(keys);
     const Limits& limits = reading.options.limits;
     if (keys.find("alphaMap"))
         material.alphaMask = readImage(reading, keys, "alphaMap", material.alphaMap,

@@ -121,6 +121,7 @@ std::string materialJson(const Material& material, const std::filesystem::path& 
         .unless("glossDegrees", material.glossDegrees, standard.glossDegrees)
         .unless("translucencyDegrees", material.translucencyDegrees, standard.translucencyDegrees)
         .unless("emission", material.emission, standard.emission);
+    if (material.emits != standard.emits) line.text("emits", std::string(toText(material.emits)));
     if (!material.alphaMap.empty()) line.text("alphaMap", relativeName(material.alphaMap, folder));
     if (!material.diffuseMap.empty()) line.text("diffuseMap", relativeName(material.diffuseMap, folder));
     return line.json();

@@ -47,6 +47,8 @@ void addEmitterSurfaces(Scene& scene) {
         material.name = name;
         material.diffuse = vec3(0.0f);
         material.emission = emissionOf(light);
+        // A sphere has no back to be seen, but an eye within it sees the lamp, too.
+        material.emits = light.type == LightType::rect ? EmittingSides::front : EmittingSides::both;
         const auto next = static_cast<std::uint32_t>(scene.materials.size());
         const auto [entry, isNew] = materialOfLight.try_emplace(static_cast<int>(i), next);
         if (isNew)

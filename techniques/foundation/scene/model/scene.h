@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "techniques/foundation/math/types.h"
@@ -19,6 +20,12 @@ namespace shadowlab::scene {
 class AlphaMask;
 class ColorImage;
 
+/// The sides of a surface from which its emission leaves. The front is the side that sees the corners counter-clockwise.
+enum class EmittingSides : std::uint8_t { front, both };
+
+/// The name scene files use.
+std::string_view toText(EmittingSides sides);
+
 /// Colours are linear RGB. The lower half only matters to ray tracing and radiosity.
 struct Material {
     std::string name = "white";
@@ -26,6 +33,7 @@ struct Material {
     vec3 specular{0.0f};
     float shininess = 32.0f; ///< Blinn-Phong exponent
     vec3 emission{0.0f};     ///< radiance
+    EmittingSides emits = EmittingSides::front;
     double reflectivity = 0.0;
     double transparency = 0.0;
     double ior = 1.5;
@@ -40,6 +48,11 @@ struct Material {
     ImagePlacement colorPlacement;
     bool ofMesh = false; ///< it comes with a mesh file, and not from the scene's own list
 };
+
+/// Does anything shine from that side of a surface of this material?
+inline bool shinesFrom(const Material& material, bool isFront) {
+    return material.emission != vec3(0.0f) && (isFront || material.emits == EmittingSides::both);
+}
 
 /// Where an object comes from, so that it can be written to a scene file (write_scene.h).
 struct ObjectSource {
@@ -70,6 +83,9 @@ dmat4 worldFromMesh(const Object& object);
 
 /// True if the matrix of the object mirrors it (negative determinant), which turns counter-clockwise into clockwise.
 bool isMirrored(const Object& object);
+
+/// The material of a triangle, by its number within the object's mesh.
+const Material& materialOfTriangle(const Scene& scene, const Object& object, std::uint32_t triangle);
 
 /// Axis-aligned box in world space; empty when lower > upper.
 struct Bounds {

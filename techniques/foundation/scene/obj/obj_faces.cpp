@@ -202,6 +202,8 @@ Material converted(const tinyobj::material_t& mtl, const MtlStatements& more) {
     material.specular = color(mtl.specular);
     material.shininess = static_cast<float>(mtl.shininess);
     material.emission = color(mtl.emission);
+    // Programs wind the faces of a room either way, and an MTL file cannot say which side shines (docs/scene_format.md).
+    material.emits = EmittingSides::both;
     material.transparency = std::clamp(1.0 - mtl.dissolve, 0.0, 1.0);
     material.ior = mtl.ior;
     applyOptics(more, material);

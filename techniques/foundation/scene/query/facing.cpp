@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/query/facing.h"
 
+#include "techniques/foundation/scene/query/lamp_plane.h"
+
 namespace shadowlab::scene {
 
 namespace {
@@ -40,6 +42,7 @@ std::vector<std::int8_t> facingSigns(const Object& object, const Light& light) {
     for (const uvec3& t : mesh.triangles)
         signs.push_back(facingSign(dvec3(mesh.positionsMesh[t.x]), dvec3(mesh.positionsMesh[t.y]),
                                    dvec3(mesh.positionsMesh[t.z]), lightInMesh));
+    clearInLampPlane(object, light, signs);
     return signs;
 }
 

@@ -19,7 +19,7 @@ dvec4 lightMesh(const Object& object, const Light& light);
 std::int8_t facingSign(const dvec3& a, const dvec3& b, const dvec3& c, const dvec4& light);
 
 /// One sign per triangle of the object: +1 the light is on the counter-clockwise (front) side, -1 behind,
-/// 0 in the plane of the triangle to within rounding. The lecture's N.L > 0 is +1; 0 counts as facing away.
+/// 0 in the plane of the triangle to within rounding (for a rect light see lamp_plane.h, too). The lecture's N.L > 0 is +1; 0 counts as facing away.
 std::vector<std::int8_t> facingSigns(const Object& object, const Light& light);
 
 /// The signs of all objects, one after the other.

@@ -20,7 +20,8 @@ class FacingPlanes {
 public:
     explicit FacingPlanes(std::shared_ptr<const Mesh> mesh);
 
-    /// One sign per triangle: what facingSigns (facing.h) finds for a light at this homogeneous point of mesh space.
+    /// One sign per triangle: what facingSigns (facing.h) finds for a light at this homogeneous point of mesh space,
+    /// of a rect light before clearInLampPlane (lamp_plane.h).
     /// `signs` is as long as the mesh has triangles.
     void findSigns(const dvec4& lightMesh, std::span<std::int8_t> signs) const;
 

@@ -60,9 +60,8 @@ AreaVisibility::AreaVisibility(const SceneTracer& tracer, int light)
       centreCentred_(light_.positionWorld - tracer.world().originWorld), box_(boxOfLight(light_, centreCentred_)),
       edges_(tracer.scene(), tracer.world()) {
     if (!scene::hasArea(light_)) throw std::logic_error("the visible area of a light that has none");
-    casts_.reserve(tracer.world().objects.size());
-    for (const std::uint32_t object : tracer.world().objects)
-        casts_.push_back(tracer.scene().objects[object].castsShadow ? 1 : 0);
+    const std::span<const std::uint8_t> casters = tracer.castersFor(light);
+    casts_.assign(casters.begin(), casters.end());
 }
 
 double AreaVisibility::share(const SurfacePoint& point) const {

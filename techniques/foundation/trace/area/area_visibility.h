@@ -71,7 +71,7 @@ private:
     int number_;
     dvec3 centreCentred_;
     CentredBox box_;                  ///< of the light
-    std::vector<std::uint8_t> casts_; ///< of each triangle
+    std::vector<std::uint8_t> casts_; ///< of each triangle: SceneTracer::castersFor()
     SurfaceEdges edges_;
 };
 

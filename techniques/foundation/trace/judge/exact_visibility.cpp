@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/trace/judge/exact_visibility.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -84,6 +85,7 @@ ExactVisibility::ExactVisibility(scene::Snapshot snapshot) : snapshot_(std::move
     }
     for (const scene::Light& light : snapshot_->lights)
         facing_.push_back(scene::facingSigns(*snapshot_, light));
+    contacts_ = scene::EmitterContacts(*snapshot_);
 }
 
 template <typename OnHit>
@@ -104,19 +106,40 @@ std::optional<EyeHit> ExactVisibility::eyeHit(const scene::Camera& camera, dvec2
     const dvec3 forward = glm::normalize(camera.targetWorld - camera.positionWorld);
     const double nearest = camera.near / glm::dot(direction, forward);
     std::optional<EyeHit> best;
+    std::vector<EyeHit> inContact;
     forEachHit(camera.positionWorld, direction, kInfinity,
                [&](std::uint32_t object, std::uint32_t triangle, const RayTriangle& hit) {
-                   if (hit.distance > nearest && (!best || hit.distance < best->distance) &&
-                       !passes(object, triangle, hit.barycentric))
-                       best = EyeHit{object, triangle, hit.distance, {}, {}, hit.barycentric};
+                   if (!(hit.distance > nearest) || passes(object, triangle, hit.barycentric)) return false;
+                   const EyeHit found{object, triangle, hit.distance, {}, {}, hit.barycentric};
+                   if (!best || hit.distance < best->distance) best = found;
+                   if (contacts_.touches(firstTriangle_[object] + triangle)) inContact.push_back(found);
                    return false;
                });
     if (!best) return std::nullopt;
+    if (contacts_.touches(firstTriangle_[best->object] + best->triangle))
+        best = seenInContact(*best, inContact, direction);
     const Triangle& t = triangles_[firstTriangle_[best->object] + best->triangle];
     best->positionWorld = camera.positionWorld + best->distance * direction;
     best->geometricNormalWorld = glm::normalize(glm::cross(t.b - t.a, t.c - t.a));
     if (glm::dot(best->geometricNormalWorld, direction) > 0) best->geometricNormalWorld *= -1.0;
     return best;
+}
+
+EyeHit ExactVisibility::seenInContact(const EyeHit& nearest, std::span<const EyeHit> inContact,
+                                      const dvec3& direction) const {
+    const auto numberOf = [&](const EyeHit& hit) { return firstTriangle_[hit.object] + hit.triangle; };
+    const std::vector<std::uint32_t> others = contacts_.of(numberOf(nearest));
+    std::vector<scene::SeenTriangle> together;
+    for (const EyeHit& hit : inContact) {
+        const std::uint32_t number = numberOf(hit);
+        if (number != numberOf(nearest) && std::ranges::find(others, number) == others.end()) continue;
+        const scene::Object& object = snapshot_->objects[hit.object];
+        const scene::Material& material = scene::materialOfTriangle(*snapshot_, object, hit.triangle);
+        const Triangle& t = triangles_[number];
+        const bool isFront = (glm::dot(glm::cross(t.b - t.a, t.c - t.a), direction) < 0) != scene::isMirrored(object);
+        together.push_back({number, scene::shinesFrom(material, isFront), material.emission != vec3(0.0f)});
+    }
+    return *std::ranges::find(inContact, scene::seenOf(together), numberOf);
 }
 
 Visibility ExactVisibility::visibility(const EyeHit& hit, const scene::Camera& camera, int light) const {

@@ -96,9 +96,18 @@ void SceneTracer::eyePointsOn(std::span<const std::uint32_t> primitives, const E
                               ivec2 blockSize, dvec2 within, std::span<SurfacePoint> points) const {
     for (int y = 0; y < blockSize.y; y += kBlock)
         for (int x = 0; x < blockSize.x; x += kBlock) {
+            const ivec2 size = glm::min(ivec2(kBlock), blockSize - ivec2(x, y));
             const auto first = static_cast<std::size_t>(y * blockSize.x + x);
-            eyeBlock(rays, corner + ivec2(x, y), glm::min(ivec2(kBlock), blockSize - ivec2(x, y)), within,
-                     primitives.empty() ? nullptr : &primitives[first], &points[first], blockSize.x);
+            eyeBlock(rays, corner + ivec2(x, y), size, within, primitives.empty() ? nullptr : &primitives[first],
+                     &points[first], blockSize.x);
+            if (contacts_.isEmpty()) continue;
+            // Where an emitter lies in a face, the nearest is not always what is seen.
+            for (int row = 0; row < size.y; ++row)
+                for (int column = 0; column < size.x; ++column) {
+                    SurfacePoint& point = points[first + static_cast<std::size_t>(row * blockSize.x + column)];
+                    if (point && contacts_.touches(point.primitive))
+                        point = eyePoint(rays, dvec2(corner + ivec2(x + column, y + row)) + within);
+                }
         }
 }
 
