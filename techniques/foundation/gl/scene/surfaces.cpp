@@ -285,9 +285,6 @@ void useForLight(const Program& program, const scene::Scene& scene, const SceneB
 void useForAllLights(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
                      const Texture2D* hiddenLights) {
     program.useWith(knownOfAllLights(scene, buffers, hiddenLights == nullptr));
-void useForAllLights(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
-                     const EyeMatrices& eye, const Texture2D* hiddenLights) {
-    program.useWith(knownOfAllLights(scene, hiddenLights == nullptr));
     program.set("ambient", scene.ambient);
     program.set("exposure", scene.exposure);
     std::vector<vec4> positionsView, directionsView, intensities, cones;

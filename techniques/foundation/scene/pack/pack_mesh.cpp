@@ -4,10 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <sstream>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "techniques/foundation/scene/load/file_access.h"
+#include "techniques/foundation/scene/load/misnamed_files.h"
+#include "techniques/foundation/scene/load/text_encoding.h"
+#include "techniques/foundation/scene/obj/library_names.h"
+#include "techniques/foundation/scene/obj/mtl_map.h"
 #include "techniques/foundation/scene/obj/statement_lines.h"
 #include "techniques/foundation/scene/pack/replaced_text.h"
 
@@ -22,63 +27,35 @@ bool namesAnImage(std::string_view keyword) {
     return keyword.starts_with("map_") || std::ranges::find(kImageStatements, keyword) != kImageStatements.end();
 }
 
-/// Options that may stand before an image's name, and the most values each takes. Fewer are written where the next word is no
-/// number.
-struct MapOption {
-    std::string_view name;
-    int values;
-    bool numbers;
-};
-constexpr std::array kMapOptions{
-    MapOption{"-o", 3, true},       MapOption{"-s", 3, true},          MapOption{"-t", 3, true},
-    MapOption{"-mm", 2, true},      MapOption{"-bm", 1, true},         MapOption{"-boost", 1, true},
-    MapOption{"-texres", 1, true},  MapOption{"-clamp", 1, false},     MapOption{"-cc", 1, false},
-    MapOption{"-blendu", 1, false}, MapOption{"-blendv", 1, false},    MapOption{"-imfchan", 1, false},
-    MapOption{"-type", 1, false},   MapOption{"-colorspace", 1, false}};
-
-constexpr std::string_view kBlanks = " \t";
-
-std::string_view firstWord(std::string_view text) {
-    return text.substr(0, std::min(text.find_first_of(kBlanks), text.size()));
-}
-
-std::string_view withoutFirstWord(std::string_view text) {
-    text.remove_prefix(firstWord(text).size());
-    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-    return text;
-}
-
-/// The name of the image in what follows the keyword: all behind the options, blanks included.
-std::string_view imageName(std::string_view rest) {
-    for (;;) {
-        const auto option = std::ranges::find(kMapOptions, firstWord(rest), &MapOption::name);
-        if (option == kMapOptions.end()) return rest;
-        rest = withoutFirstWord(rest);
-        for (int i = 0; i < option->values; ++i)
-            if (!option->numbers || readNumber(firstWord(rest))) rest = withoutFirstWord(rest);
-    }
-}
-
 /// One mesh, from the OBJ file on.
 class MeshPacker {
 public:
     MeshPacker(const std::filesystem::path& file, const LoadOptions& options, PackedFiles& files)
-        : file_(file), options_(options), folders_(file, options), files_(files) {}
+        : file_(file), options_(options), folders_(file, options), misnamed_(folders_), files_(files) {}
 
     std::filesystem::path run() {
         return files_.add(std::filesystem::weakly_canonical(file_), "meshes", file_.filename().string(),
                           [&](const std::filesystem::path& place) {
                               folder_ = place.parent_path();
-                              return objText(readFile(file_, options_.limits.fileBytes, "mesh-file"));
+                              return objText(utf8Text(readFile(file_, options_.limits.fileBytes, "mesh-file"), file_));
                           });
     }
 
 private:
-    /// The file that a statement names, if it is there and may be read.
-    [[nodiscard]] std::optional<std::filesystem::path> found(std::string_view name) const {
+    /// The file that a statement names, under whatever spelling, if it is there and may be read. `inFolder` is the folder of the
+    /// statement's file, relative to the mesh's; it comes first.
+    [[nodiscard]] std::optional<std::filesystem::path> found(const std::string& name, const std::string& inFolder = {}) {
         std::error_code ignored;
-        const auto path = folders_.resolve(name);
-        return path && std::filesystem::is_regular_file(*path, ignored) ? path : std::nullopt;
+        const auto isFile = [&](const std::optional<std::filesystem::path>& path) {
+            return path && std::filesystem::is_regular_file(*path, ignored);
+        };
+        if (!inFolder.empty() && !std::filesystem::path(name).is_absolute())
+            if (const auto beside = folders_.resolve(inFolder + "/" + name); isFile(beside)) return beside;
+        if (const auto path = folders_.resolve(name); isFile(path)) return path;
+        for (const std::string& folder : {inFolder, std::string()})
+            if (const auto respelt = misnamed_.find(name, folder))
+                if (const auto path = folders_.resolve(*respelt); isFile(path)) return path;
+        return std::nullopt;
     }
 
     /// Where a copy of the file is, as the mesh beside it has to name it.
@@ -89,21 +66,23 @@ private:
     std::string objText(const std::string& text) {
         ReplacedText replaced(text);
         StatementLines lines(text, file_, options_.limits.lineBytes);
+        bool namesLibrary = false;
         while (lines.nextStatement()) {
             if (lines.keyword() != "mtllib") continue;
+            namesLibrary = true;
             const std::string_view rest = lines.restOfLine();
-            if (const auto whole = found(rest)) { // a name may hold blanks, and one line may name several files
-                replaced.replace(rest, packedLibrary(*whole, rest));
-                continue;
+            const std::vector<std::string> names = libraryNames(std::string(rest), misnamed_);
+            std::string packed;
+            for (const std::string& name : names) {
+                const auto library = found(name);
+                const std::string place = library ? packedLibrary(*library, name) : name;
+                const bool isQuoted = names.size() > 1 && place.find(' ') != std::string::npos;
+                packed += (packed.empty() ? "" : " ") + (isQuoted ? '"' + place + '"' : place);
             }
-            std::istringstream words{std::string(rest)};
-            std::string names;
-            for (std::string word; words >> word;) {
-                const auto library = found(word);
-                names += (names.empty() ? "" : " ") + (library ? packedLibrary(*library, word) : word);
-            }
-            replaced.replace(rest, names);
+            if (!packed.empty()) replaced.replace(rest, packed);
         }
+        const std::string ofSameName = file_.stem().string() + ".mtl"; // what is read where no library is named
+        if (const auto library = namesLibrary ? std::nullopt : found(ofSameName)) packedLibrary(*library, ofSameName);
         return std::move(replaced).finish();
     }
 
@@ -116,17 +95,21 @@ private:
         // The images that it names are found beside the mesh: meshes of one folder share the copy.
         const std::filesystem::path source = canonical.string() + " for " + file_.parent_path().string();
         return named(files_.add(source, folder_, fileName(name), [&](const std::filesystem::path&) {
-            return mtlText(readFile(canonical, options_.limits.materialFileBytes, "material-file"), canonical);
+            return mtlText(utf8Text(readFile(canonical, options_.limits.materialFileBytes, "material-file"), canonical), canonical);
         }));
     }
 
     std::string mtlText(const std::string& text, const std::filesystem::path& library) {
         ReplacedText replaced(text);
         StatementLines lines(text, library, options_.limits.lineBytes);
+        const std::string inFolder =
+            library.parent_path().lexically_relative(std::filesystem::weakly_canonical(file_).parent_path()).generic_string();
         while (lines.nextStatement()) {
             if (!namesAnImage(lines.keyword())) continue;
-            const std::string_view name = imageName(lines.restOfLine());
-            const auto image = found(name);
+            const std::string_view rest = lines.restOfLine();
+            const std::string written = parseMtlMap(rest).file;
+            const std::string_view name = rest.substr(std::min(rest.find(written), rest.size()), written.size());
+            const auto image = written.empty() ? std::nullopt : found(written, inFolder);
             if (!image) continue;
             const std::filesystem::path place =
                 files_.add(*image, folder_ / "textures", fileName(name), [&](const std::filesystem::path&) {
@@ -139,7 +122,8 @@ private:
 
     const std::filesystem::path& file_;
     const LoadOptions& options_;
-    AllowedFolders folders_; ///< all names are relative to the mesh, those in its material files too
+    AllowedFolders folders_; ///< names are relative to the mesh; those in a material file first to that
+    MisnamedFiles misnamed_;
     PackedFiles& files_;
     std::filesystem::path folder_; ///< of the mesh in the packed scene
 };

@@ -17,7 +17,7 @@ namespace {
 
 /// Keys whose value is the path of a file: of an object, and of a material.
 constexpr std::array<std::string_view, 1> kMeshKeys{"mesh"};
-constexpr std::array<std::string_view, 1> kImageKeys{"alphaMap"};
+constexpr std::array<std::string_view, 2> kImageKeys{"alphaMap", "diffuseMap"};
 
 const JsonValue* memberOf(const JsonValue& object, std::string_view key) {
     const auto found = std::ranges::find(object.members, key, &JsonMember::key);
