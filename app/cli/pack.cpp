@@ -37,7 +37,7 @@ void describePack(DescribedOptions& add) {
         "Examples:\n"
         "  shadowlab pack bunny.obj -o lesson-on-bunnies\n"
         "  shadowlab pack still-life -o my-still-life\n"
-        "  shadowlab pack mine.json --allow ~/models -o travels");
+        "  shadowlab pack mine.json -o travels");
 }
 
 PackOptions packOptions(const GivenOptions& given) {

@@ -164,7 +164,7 @@ private:
         if (saidWhyNothingIsSeen_ || isOutside || base_->objects.empty()) return; // without objects it was said before
         const std::string why = scene::whyNothingIsSeen(*moment.snapshot, moment.camera, options_.supersample * size);
         if (why.empty()) return;
-        note((motion_.frames > 1 ? "from frame " + std::to_string(frame + 1) + " on no surface is in view: "
+        note((motion_.frames > 1 ? "in frame " + std::to_string(frame + 1) + " no surface is in view: "
                                  : "no surface is in view: ") +
              why);
         saidWhyNothingIsSeen_ = true;

@@ -1,0 +1,34 @@
+// A picture without a surface: `capture` and `measure` say why, once, however many pictures and techniques there are.
+// SPDX-License-Identifier: MIT
+#include "tests/cli/command_fixture.h"
+
+namespace shadowlab::testing {
+namespace {
+
+using Words = std::vector<std::string>;
+
+class EmptyViewCommandTest : public CommandTest {};
+
+TEST_F(EmptyViewCommandTest, IsNotedOnceWithTheReason) {
+    const std::string away = R"("camera": {"position": [0, 2, 4], "target": [0, 4, 9]})";
+    folder.write("away.json", sceneText(away, kTwoLights, kBoxOnFloor));
+    const auto notes = [&](const Words& more) {
+        Words words{"capture", "away.json", "-o", "x_#.png", "--size", "64x48", "--labels", "false"};
+        words.insert(words.end(), more.begin(), more.end());
+        return succeed(words).err;
+    };
+    const std::string one = notes({"-t", "unshadowed,shadow-map"}),
+                      many = notes({"--frames", "3", "--orbit-light", "9"});
+    for (const std::string& said : {one, many})
+        EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
+    EXPECT_TRUE(scene::contains(one, "note: no surface is in view: ")) << one;
+    EXPECT_TRUE(scene::contains(many, "note: in frame 1 no surface is in view: ")) << many;
+    EXPECT_TRUE(scene::contains(one, "\"target\": [0, ")) << one;
+    EXPECT_FALSE(scene::contains(notes({"--stage", "outside"}), "no surface")) << "the second camera sees the scene";
+    const std::string measured =
+        succeed({"measure", "away.json", "--size", "64x48", "-t", "unshadowed,shadow-map"}).err;
+    EXPECT_TRUE(scene::contains(measured, "nothing was measured: of 2 objects ")) << measured;
+}
+
+} // namespace
+} // namespace shadowlab::testing
