@@ -4,6 +4,7 @@
 #include <set>
 
 #include "techniques/foundation/image/png/png.h"
+#include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/model/surface_color.h"
 #include "tests/foundation/scene/scene_files.h"
 #include "tests/support/colored.h"
