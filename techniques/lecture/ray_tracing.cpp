@@ -98,7 +98,7 @@ bool seesLight(const RayScene& rays, const Surface& surface, int light) {
     Ray shadowRay = rayFrom(surface, scene::towardLightWorld(source, surface.positionWorld));
     if (source.type != scene::LightType::directional)
         shadowRay.farthest = glm::distance(source.positionWorld, surface.positionWorld) - kContact;
-    return !rays.isBlocked(shadowRay);
+    return !rays.isBlocked(shadowRay, light);
 }
 
 // "The ray-tracing tree is processed in bottom-up order": both branches are known before the node. A ray at the bottom of the

@@ -8,6 +8,7 @@
 #include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/query/casters.h"
 #include "techniques/foundation/scene/query/facing.h"
+#include "techniques/foundation/scene/query/lamp_plane.h"
 
 namespace shadowlab::planar {
 
@@ -20,7 +21,8 @@ bool isWithin(const dvec4& lightWorld, const Caster& caster) {
            glm::all(glm::lessThanEqual(dvec3(lightWorld), upper + margin));
 }
 
-std::vector<NearTriangle> trianglesNear(const dvec4& lightWorld, const Caster& caster, const scene::Object& object) {
+std::vector<NearTriangle> trianglesNear(const dvec4& lightWorld, const Caster& caster, const scene::Object& object,
+                                        const scene::Light& light) {
     // What the graphics card computes with floats is off by no more than this share of the largest distance.
     constexpr double kFloats = 1.0 / (1 << 20);
     // Nearer than this the light lies in the triangle, and on no side: contact, as for rays (docs/conventions.md).
@@ -30,6 +32,7 @@ std::vector<NearTriangle> trianglesNear(const dvec4& lightWorld, const Caster& c
     const double reach = glm::length(caster.farthestMesh) + glm::length(lightMesh);
     std::vector<NearTriangle> found;
     const scene::Mesh& mesh = *object.mesh;
+    const std::vector<std::uint8_t> inPlane = scene::inLampPlane(object, light);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const uvec3& corners = mesh.triangles[t];
         const dvec3 a(mesh.positionsMesh[corners.x]), b(mesh.positionsMesh[corners.y]),
@@ -42,7 +45,7 @@ std::vector<NearTriangle> trianglesNear(const dvec4& lightWorld, const Caster& c
         if (std::abs(height) > kFloats * reach) continue;
         NearTriangle near{t, false, dvec4(0.0)};
         const std::int8_t side = scene::facingSign(a, b, c, dvec4(lightMesh, 1.0));
-        if (side != 0 && std::abs(height) > kContact * reach) {
+        if (side != 0 && (inPlane.empty() || !inPlane[t]) && std::abs(height) > kContact * reach) {
             const auto inside = [&](const dvec3& from, const dvec3& to) {
                 return glm::dot(glm::cross(to - from, lightMesh - from), normal) >= 0;
             };

@@ -41,8 +41,9 @@ struct NearTriangle {
     dvec4 planeWorld{0.0};
 };
 
-/// Those of one caster, in ascending order.
-std::vector<NearTriangle> trianglesNear(const dvec4& lightWorld, const Caster& caster, const scene::Object& object);
+/// Those of one caster, in ascending order. The point is one of that light: what lies in the plane of a rect casts no shadow.
+std::vector<NearTriangle> trianglesNear(const dvec4& lightWorld, const Caster& caster, const scene::Object& object,
+                                        const scene::Light& light);
 
 /// Rebuilt when geometry, transforms or holes change. Outward casters come first.
 class Casters {

@@ -55,7 +55,7 @@ bool Planar::countPoints(const Frame& frame, int light) {
     // they are executed.
     constexpr std::size_t kAtATime = 4;
     while (counted.drawn < counted.pointsWorld.size()) {
-        countOnePoint(frame, counted.pointsWorld[counted.drawn++], counting);
+        countOnePoint(frame, light, counted.pointsWorld[counted.drawn++], counting);
         if (frame.deadline() == Deadline::max() || counted.drawn % kAtATime != 0) continue;
         glFinish();
         if (std::chrono::steady_clock::now() >= frame.deadline()) break;
@@ -63,9 +63,10 @@ bool Planar::countPoints(const Frame& frame, int light) {
     return counted.drawn == counted.pointsWorld.size();
 }
 
-void Planar::countOnePoint(const Frame& frame, const dvec3& pointWorld, const gl::Framebuffer& counting) const {
-    const std::vector<LitPlane> planes =
-        litPlanes(frame.scene(), chosen_, casters_, frame.eye(), dvec4(pointWorld, 1.0), params_, true);
+void Planar::countOnePoint(const Frame& frame, int light, const dvec3& pointWorld,
+                           const gl::Framebuffer& counting) const {
+    const std::vector<LitPlane> planes = litPlanes(frame.scene(), chosen_, casters_, frame.eye(),
+                                                   dvec4(pointWorld, 1.0), frame.scene().light(light), params_, true);
     if (planes.empty()) return;
     gl::setBaselineState();
     counting.bind();

@@ -46,11 +46,12 @@ bool isApart(const scene::Bounds& box, const std::array<dvec3, 4>& frameWorld, c
 /// The triangles that pass by the light, of all casters in whose boxes it is: their numbers are indices of Casters::all().
 using NearTriangles = std::map<std::size_t, std::vector<NearTriangle>>;
 
-NearTriangles allNear(const scene::Scene& scene, const std::vector<Caster>& casters, const dvec4& lightWorld) {
+NearTriangles allNear(const scene::Scene& scene, const std::vector<Caster>& casters, const dvec4& lightWorld,
+                      const scene::Light& light) {
     NearTriangles near;
     for (std::size_t i = 0; i < casters.size(); ++i)
         if (isWithin(lightWorld, casters[i])) {
-            auto triangles = trianglesNear(lightWorld, casters[i], scene.objects[casters[i].object]);
+            auto triangles = trianglesNear(lightWorld, casters[i], scene.objects[casters[i].object], light);
             if (!triangles.empty()) near[i] = std::move(triangles);
         }
     return near;
@@ -132,8 +133,8 @@ void addCasters(LitPlane& plane, const FlattenedScene& all) {
 
 std::vector<LitPlane> litPlanes(const scene::Scene& scene, const std::vector<ChosenReceiver>& receivers,
                                 const Casters& casters, const gl::EyeMatrices& eye, const dvec4& lightWorld,
-                                const PlanarParams& params, bool countTurnedAway) {
-    const FlattenedScene all{scene, casters, eye, lightWorld, params, allNear(scene, casters.all(), lightWorld)};
+                                const scene::Light& light, const PlanarParams& params, bool countTurnedAway) {
+    const FlattenedScene all{scene, casters, eye, lightWorld, params, allNear(scene, casters.all(), lightWorld, light)};
     std::vector<LitPlane> planes;
     for (const ChosenReceiver& receiver : receivers) {
         LitPlane plane;

@@ -31,11 +31,11 @@ struct LitPlane {
     scene::PicturePart part;           ///< where shadows can fall
 };
 
-/// The planes that a point of light (homogeneous, world space) casts shadows on, in the order of `receivers`. Planes whose
+/// The planes that a point of that light (homogeneous, world space) casts shadows on, in the order of `receivers`. Planes whose
 /// dark side faces the eye are left out, unless faces are drawn as in the lecture; with `countTurnedAway` they are listed
 /// as turned away, for points of a light whose centre does shine on them.
 std::vector<LitPlane> litPlanes(const scene::Scene& scene, const std::vector<ChosenReceiver>& receivers,
                                 const Casters& casters, const gl::EyeMatrices& eye, const dvec4& lightWorld,
-                                const PlanarParams& params, bool countTurnedAway);
+                                const scene::Light& light, const PlanarParams& params, bool countTurnedAway);
 
 } // namespace shadowlab::planar

@@ -244,9 +244,10 @@ void Planar::publishFlattened(Frame& frame, int light, int tag) const {
     const vec3 between = look::kOccluded, beyond = look::kMultipleEdge, behind = look::kAwayFromLight;
     PlanarParams all = params_;
     all.clip = all.cull = false;
-    const dvec4 lightWorld = scene::homogeneousPositionWorld(frame.scene().light(light));
+    const scene::Light& source = frame.scene().light(light);
+    const dvec4 lightWorld = scene::homogeneousPositionWorld(source);
     const std::vector<LitPlane> planes =
-        litPlanes(frame.scene(), chosen_, casters_, frame.eye(), lightWorld, all, false);
+        litPlanes(frame.scene(), chosen_, casters_, frame.eye(), lightWorld, source, all, false);
     const auto shown = std::ranges::find(planes, tag, [](const LitPlane& plane) { return plane.receiver->tag; });
     const auto draw = [&] {
         if (shown == planes.end()) return; // no plane is lit, or nothing falls on one

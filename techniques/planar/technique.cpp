@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/lights_in_view.h"
 #include "techniques/planar/technique.h"
+#include "techniques/lights_in_view.h"
 
 #include <algorithm>
 #include <chrono>
@@ -116,8 +116,8 @@ void Planar::listFor(const Frame& frame) {
     lit_.clear();
     shadowedParts_.assign(chosen_.size(), scene::kNowhere);
     for (const scene::Light& light : scene.lights) {
-        lit_.push_back(
-            litPlanes(scene, chosen_, casters_, frame.eye(), scene::homogeneousPositionWorld(light), params_, false));
+        lit_.push_back(litPlanes(scene, chosen_, casters_, frame.eye(), scene::homogeneousPositionWorld(light), light,
+                                 params_, false));
         for (const LitPlane& plane : lit_.back()) {
             scene::PicturePart& part = shadowedParts_[static_cast<std::size_t>(plane.receiver - chosen_.data())];
             part = around(part, plane.part);

@@ -82,7 +82,7 @@ private:
 
     // counted_points.cpp
     bool countPoints(const Frame& frame, int light);
-    void countOnePoint(const Frame& frame, const dvec3& pointWorld, const gl::Framebuffer& counting) const;
+    void countOnePoint(const Frame& frame, int light, const dvec3& pointWorld, const gl::Framebuffer& counting) const;
 
     // stages.cpp
     void publishVisibility(Frame& frame, int light) const;

@@ -117,10 +117,11 @@ Surface RayScene::seenInContact(const Ray& ray, const Hit& nearest) const {
     return *std::ranges::find_if(surfaces, [&](const Surface& surface) { return surface.triangle->number == seen; });
 }
 
-bool RayScene::isBlocked(const Ray& ray) const {
+bool RayScene::isBlocked(const Ray& ray, int light) const {
     Hit hit;
     return descend(ray, 1.0 / ray.u, *all_, [&](const Triangle* t) { // any will do
-        return t != ray.leaves && objectOf(*t).castsShadow && intersects(ray, *t, hit) &&
+        return t != ray.leaves && objectOf(*t).castsShadow && (light < 0 || lightSide(*t, light) != 0) &&
+               intersects(ray, *t, hit) &&
                !scene::isInHole(scene(), objectOf(*t), t->inObject, {1 - hit.b - hit.c, hit.b, hit.c});
     });
 }

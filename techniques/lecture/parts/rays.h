@@ -74,8 +74,9 @@ public:
     [[nodiscard]] vec3 emissionAt(const Surface& surface) const;
 
     [[nodiscard]] std::optional<Surface> firstSurface(const Ray& ray) const;
-    /// Does anything that casts shadows stand on the ray?
-    [[nodiscard]] bool isBlocked(const Ray& ray) const;
+    /// Does anything that casts shadows stand on the ray? `light`: it goes to that light, so what lies in the light's plane is only
+    /// touched; -1: to none.
+    [[nodiscard]] bool isBlocked(const Ray& ray, int light = -1) const;
     /// Does nothing that casts shadows stand between a point of a triangle and another place?
     [[nodiscard]] bool isFree(const Triangle& from, const dvec3& fromWorld, const dvec3& toWorld) const;
 

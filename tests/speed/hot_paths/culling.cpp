@@ -113,7 +113,8 @@ void planarProjection(benchmark::State& state) {
     if (choice.receivers.empty()) state.SkipWithError("no plane is in view: there is nothing to project onto");
     for (auto _ : state)
         benchmark::DoNotOptimize(planar::litPlanes(*snapshot, choice.receivers, casters, field.eye,
-                                                   dvec4(snapshot->lights[0].positionWorld, 1), params, false));
+                                                   dvec4(snapshot->lights[0].positionWorld, 1), snapshot->lights[0],
+                                                   params, false));
     state.SetComplexityN(state.range(0));
 }
 BENCHMARK(planarProjection)->RangeMultiplier(4)->Range(kFewest, kMost)->Complexity(benchmark::oN);
