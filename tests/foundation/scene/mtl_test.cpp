@@ -71,10 +71,13 @@ TEST(Mtl, WhatIsIgnoredAndWouldChangeTheLookIsOneNotePerKind) {
         loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n"), NormalMode::file, {});
     EXPECT_EQ(obj.notes,
               (std::vector<std::string>{mtl + ":2: Kd stands before the first newmtl and is ignored (and 1 more time)",
+                                        mtl + ":4: illum stands before the first newmtl and is ignored",
                                         mtl + ":7: Kd xyz is not supported and ignored",
                                         mtl + ":8: Ks spectral is not supported and ignored",
-                                        mtl + ":9: map_Kd is not supported and ignored (and 2 more times)",
-                                        mtl + ":10: d -halo is not supported and ignored"}));
+                                        mtl + ":10: d -halo is not supported and ignored",
+                                        mtl + ":13: bump is not supported and ignored",
+                                        mtl + ":5: Ka is not supported and ignored; ambient light is reflected as Kd says",
+                                        mtl + ":12: material 'a': map_Kd \"wood.png\" is ignored: it cannot be read: No such file or directory"}));
 }
 
 TEST(Mtl, FilesAreNamedAsGiven) {

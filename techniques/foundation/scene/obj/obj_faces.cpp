@@ -194,11 +194,10 @@ struct Collector {
 
 vec3 color(const tinyobj::real_t (&rgb)[3]) { return {dvec3(rgb[0], rgb[1], rgb[2])}; }
 
-Material converted(const tinyobj::material_t& mtl, const MtlStatements& more) {
+Material converted(const tinyobj::material_t& mtl) {
     Material material;
     material.name = mtl.name;
-    // An image alone is the colour; beside a Kd it is multiplied with it. Black would hide the image, and is what some programs write.
-    material.diffuse = more.diffuseMap && (!more.hasDiffuse || color(mtl.diffuse) == vec3(0)) ? vec3(1.0f) : color(mtl.diffuse);
+    material.diffuse = color(mtl.diffuse);
     material.specular = color(mtl.specular);
     material.shininess = static_cast<float>(mtl.shininess);
     material.emission = color(mtl.emission);
@@ -206,7 +205,6 @@ Material converted(const tinyobj::material_t& mtl, const MtlStatements& more) {
     material.emits = EmittingSides::both;
     material.transparency = std::clamp(1.0 - mtl.dissolve, 0.0, 1.0);
     material.ior = mtl.ior;
-    applyOptics(more, material);
     return material;
 }
 
@@ -337,8 +335,11 @@ ObjFaces readFaces(ObjScan& scan, const std::filesystem::path& file, const LoadO
         if (mtl.name.empty() || !known.insert(mtl.name).second)
             continue; // LoadMtl adds a nameless one for an empty file
         const MtlStatements& more = materialReader.more(mtl.name);
-        collector.faces.materials.push_back(converted(mtl, more));
-        images.read(more, collector.faces.materials.back());
+        Material& material = collector.faces.materials.emplace_back(converted(mtl));
+        images.read(more, material);
+        // An image alone is the colour; beside a Kd it is multiplied with it. Black would hide it, and is what some programs write.
+        if (material.colorImage && (!more.hasDiffuse || material.diffuse == vec3(0))) material.diffuse = vec3(1.0f);
+        applyOptics(more, material);
     }
     materialReader.noteMisnamed();
     nameAsDefined(scan, file, known, collector.faces);

@@ -130,13 +130,13 @@ Mesh buildMesh(const ObjScan& scan, const ObjFaces& faces) {
         return areaVectorOf(at(0), at(1), at(2));
     };
     GroupNormals smooth(scan.smoothingGroups.empty() ? std::span<const vec3>() : std::span<const vec3>(rounded));
-    if (!scan.smoothingGroups.empty())
-        for (const CornerTriangle& triangle : triangles) {
-            std::array<std::uint32_t, 3> positions{};
-            for (std::size_t i = 0; i < 3; ++i)
-                positions[i] = faces.corners[triangle.corners[i]].position;
-            smooth.add(triangle.group, positions, areaVector(triangle));
-        }
+    std::vector<std::uint32_t> positions; // of a face
+    for (std::size_t face = 0; face < scan.smoothingGroups.size(); ++face) {
+        positions.clear();
+        for (std::uint32_t i = faces.firstCorner[face]; i < faces.firstCorner[face + 1]; ++i)
+            positions.push_back(faces.corners[i].position);
+        smooth.add(scan.smoothingGroups[face], positions);
+    }
 
     // Corners become vertices; equal corners share one.
     VertexWelder welder(3 * triangles.size());

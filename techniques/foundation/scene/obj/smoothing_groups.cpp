@@ -5,17 +5,22 @@
 
 namespace shadowlab::scene {
 
-GroupNormals::GroupNormals(std::span<const vec3> positionsMesh) {
+GroupNormals::GroupNormals(std::span<const vec3> positionsMesh) : positionsMesh_(positionsMesh) {
     VertexWelder byPosition(positionsMesh.size());
     place_.reserve(positionsMesh.size());
     for (const vec3& position : positionsMesh)
         place_.push_back(byPosition.index({.position = position}));
 }
 
-void GroupNormals::add(std::uint32_t group, std::span<const std::uint32_t, 3> corners, const dvec3& areaVectorMesh) {
+void GroupNormals::add(std::uint32_t group, std::span<const std::uint32_t> corners) {
     if (group == 0) return;
+    // Twice the area of the polygon, along its normal: the sum over a fan (M. Newell's formula is the same sum, about the origin).
+    const auto fromFirst = [&](std::size_t i) { return dvec3(positionsMesh_[corners[i]]) - dvec3(positionsMesh_[corners[0]]); };
+    dvec3 areaVector(0.0);
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        areaVector += glm::cross(fromFirst(i - 1), fromFirst(i));
     for (const std::uint32_t corner : corners)
-        sums_.try_emplace(key(group, corner), 0.0).first->second += areaVectorMesh;
+        sums_.try_emplace(key(group, corner), 0.0).first->second += areaVector;
 }
 
 vec3 GroupNormals::at(std::uint32_t group, std::uint32_t corner, const vec3& fallback) const {
