@@ -192,9 +192,8 @@ private:
             }
             rowSums_.emplace_back(limitRow(equations_.F, i), 1, 0);
             equations_.rho[i] = dvec3(patch.material->diffuse);
-            scene::Material material = *patch.material;
-            if (!scene::shinesFrom(material, i % 2 == 0)) material.emission = vec3(0.0f); // of a back that stays dark
-            equations_.E[i] = emission(material, irradiance, std::min(1.0, rowSums_[i].x), dvec3(scene.background));
+            const double rowSum = std::min(1.0, rowSums_[i].x);
+            equations_.E[i] = emission(materialOfSide(patch, i), irradiance, rowSum, dvec3(scene.background));
         }
         equations_.B = equations_.E;
         for (int bounce = 0; bounce < bounces_; ++bounce)
