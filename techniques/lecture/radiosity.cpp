@@ -118,10 +118,10 @@ struct Equations {
 // "The object surfaces must form an enclosed space": where a patch sees no surface, a wall in the colour of the background is taken to
 // be. Lights of the scene are no patches; what a patch reflects of their light counts as emitted.
 // [anchor: lecture-emission]
-dvec3 emission(const Patch& patch, bool shines, const dvec3& irradianceByLights, double rowSum, const dvec3& background) {
+dvec3 emission(const dvec3& emitted, const dvec3& rho, const dvec3& irradianceByLights, double rowSum, const dvec3& background) {
     const double pi = glm::pi<double>(); // of a Lambertian emitter B = pi * intensity
-    return (shines ? pi * dvec3(patch.material->emission) : dvec3(0.0)) + // dark on its back
-           patch.diffuse * (irradianceByLights + (1 - rowSum) * pi * background);
+    return pi * emitted +
+           rho * (irradianceByLights + (1 - rowSum) * pi * background);
 }
 
 // "Solve radiosity equations" B_i - rho_i * sum over k of F_ik B_k = E_i: each patch gathers what all others send it, from the
@@ -191,8 +191,9 @@ private:
             }
             rowSums_.emplace_back(limitRow(equations_.F, i), 1, 0);
             equations_.rho[i] = patch.diffuse;
-            const bool shines = scene::shinesFrom(*patch.material, i % 2 == 0);
-            equations_.E[i] = emission(patch, shines, irradiance, std::min(1.0, rowSums_[i].x), dvec3(scene.background));
+            const dvec3 emitted(materialOfSide(patch, i).emission);
+            const double rowSum = std::min(1.0, rowSums_[i].x);
+            equations_.E[i] = emission(emitted, equations_.rho[i], irradiance, rowSum, dvec3(scene.background));
         }
         equations_.B = equations_.E;
         for (int bounce = 0; bounce < bounces_; ++bounce)

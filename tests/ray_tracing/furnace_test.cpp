@@ -98,7 +98,6 @@ TEST(WhiteFurnace, ARoomThatShinesAndReflectsHasTheSumOfAllBounces) {
         scene::Scene scene = withBackground(0);
         const std::uint32_t wall = addMaterial(scene, 0, 0, 1.5, 0, emission);
         scene.materials[wall].diffuse = vec3(rho);
-        scene.materials[wall].emits = scene::EmittingSides::both; // it is seen from within
         addObject(scene, scene::makeBox({2, 2, 2}), wall, dmat4(1.0));
         const TracedScene traced(scene);
         TreeSettings settings = chanceSettings(16);
@@ -139,7 +138,6 @@ TEST(WhiteFurnace, ErrorsByChanceAreDistributedAsTheyMustBe) {
         // A quarter of a huge shell: everything with x > 0 but for a slit at the edge that is 1e-6 of the half-space.
         const double far = 1e6;
         const std::uint32_t bright = addMaterial(scene, 0, 0, 1.5, 0, 1);
-        scene.materials[bright].emits = scene::EmittingSides::both;
         addObject(scene,
                   testing::triangleSoup(
                       {{1, -far, -far}, {1, far, -far}, {1, far, far}, {1, -far, -far}, {1, far, far}, {1, -far, far}}),

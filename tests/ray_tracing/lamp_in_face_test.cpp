@@ -37,6 +37,7 @@ scene::Scene litRoom(const dmat4& turn, double gap) {
 scene::Scene roomWithEmitter(const dmat4& turn, double gap, bool isFirst) {
     scene::Scene scene = testing::emptyRoom({2, 2, 2});
     const std::uint32_t shining = testing::addMaterial(scene, 0, 0, 1.5, 0, 10);
+    scene.materials[shining].emits = scene::EmittingSides::front;
     testing::addObject(scene, scene::makeQuad({0.7, 0.5}), shining,
                        translation({0.9, 2 - gap, 1.1}) * glm::rotate(dmat4(1), glm::radians(180.0), dvec3(1, 0, 0)));
     if (isFirst) std::rotate(scene.objects.begin(), scene.objects.end() - 1, scene.objects.end());
@@ -159,6 +160,7 @@ TEST(LampInFace, NumbersOfAMeshMayBeRounded) {
 TEST(Emission, LeavesTheFrontOrBothSides) {
     scene::Scene scene = testing::floorScene();
     const std::uint32_t shining = testing::addMaterial(scene, 0, 0, 1.5, 0, 6);
+    scene.materials[shining].emits = scene::EmittingSides::front;
     testing::addObject(scene, scene::makeQuad({1, 1}), shining,
                        translation({0, 2, 0}) * glm::rotate(dmat4(1), glm::radians(180.0), dvec3(1, 0, 0)));
     const auto seenFrom = [&](double height) {

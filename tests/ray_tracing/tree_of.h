@@ -37,7 +37,8 @@ public:
         const trace::SurfacePoint first = tracer_.nextPoint(centred(fromWorld), trace::kNoPrimitive, u);
         ray_tracing::RayTree tree;
         if (first)
-            tree.trace({*surfaces_, trace::MovingScene(tracer_)}, settings, centred(fromWorld), u, first, surfaces_->mediaAround(centred(fromWorld)));
+            tree.trace({*surfaces_, trace::MovingScene(tracer_)}, settings, centred(fromWorld), u, first,
+                       surfaces_->mediaAround(centred(fromWorld)));
         return tree;
     }
 
@@ -56,6 +57,7 @@ inline std::uint32_t addMaterial(scene::Scene& scene, double reflectivity, doubl
     material.ior = ior;
     material.priority = priority;
     material.emission = vec3(emission);
+    material.emits = scene::EmittingSides::both;
     scene.materials.push_back(material);
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }

@@ -115,8 +115,8 @@ RayHit SceneTracer::seenInstead(const Ray& ray, const RayHit& hit, const MayHit&
         const scene::Object& object = objectOf(point);
         const scene::Material& material = scene::materialOfTriangle(
             *snapshot_, object, one.primitive - world().firstOfObject[world().objects[one.primitive]]);
-        together.push_back({one.primitive, scene::shinesFrom(material, point.eyeOnFront != scene::isMirrored(object)),
-                            material.emission != vec3(0.0f)});
+        together.push_back(
+            {one.primitive, scene::rankInContact(object, material, point.eyeOnFront != scene::isMirrored(object))});
     }
     return *std::ranges::find(hits, scene::seenOf(together), &RayHit::primitive);
 }

@@ -101,18 +101,16 @@ std::optional<Surface> RayScene::firstSurface(const Ray& ray) const {
 /// An emitter may lie in the face that is met (scene/query/emitter_contacts.h).
 Surface RayScene::seenInContact(const Ray& ray, const Hit& nearest) const {
     std::vector<Surface> surfaces{surfaceAt(ray, nearest)};
-    Ray farther = ray;
-    farther.farthest = nearest.distance + kContact;
     Hit hit;
     for (const std::uint32_t other : contacts_.of(nearest.triangle->number))
         if (const Triangle& t = triangles_[other];
-            &t != ray.leaves && intersects(farther, t, hit) &&
+            &t != ray.leaves && intersects(ray, t, hit) &&
             !scene::isInHole(scene(), objectOf(t), t.inObject, {1 - hit.b - hit.c, hit.b, hit.c}))
             surfaces.push_back(surfaceAt(ray, hit));
     std::vector<scene::SeenTriangle> together;
     for (const Surface& surface : surfaces)
-        together.push_back({surface.triangle->number, scene::shinesFrom(*surface.material, surface.onFront),
-                            surface.material->emission != vec3(0.0f)});
+        together.push_back({surface.triangle->number,
+                            scene::rankInContact(objectOf(*surface.triangle), *surface.material, surface.onFront)});
     const std::uint32_t seen = scene::seenOf(together);
     return *std::ranges::find_if(surfaces, [&](const Surface& surface) { return surface.triangle->number == seen; });
 }

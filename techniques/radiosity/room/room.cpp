@@ -50,8 +50,7 @@ std::vector<std::vector<std::uint32_t>> facesOver(const std::vector<Face>& sides
                 !isBehind(turned, emitter.polygon, touching))
                 continue;
             const int own = rankOf(one, scene), other = rankOf(emitter, scene);
-            const bool isLater = emitter.triangles[0] > one.triangles[0];
-            if (other > own || (other == own && (other == 2) == isLater)) over[i].push_back(e);
+            if (other > own || (other == own && emitter.triangles[0] < one.triangles[0])) over[i].push_back(e);
             if (own == 1 && other == 0) over[e].push_back(i); // the other emitters look for themselves
         }
     }

@@ -125,10 +125,12 @@ void drawInContact(const scene::Scene& scene, const SceneBuffers& buffers, std::
     glEnable(GL_POLYGON_OFFSET_FILL);
     for (const bool isFront : {true, false}) {
         if (culls && !isFront) continue; // drawn objects whose back is culled
-        const float sign = scene::shinesFrom(material, isFront) ? -1.0f : 1.0f;
+        // By rank: a lamp twice as near as another emitter, and one that is dark here farther.
+        const int rank = scene::rankInContact(object, material, isFront);
+        const auto nearer = static_cast<float>(1 - rank);
         glEnable(GL_CULL_FACE);
         glCullFace(isFront != mirrored ? GL_BACK : GL_FRONT);
-        glPolygonOffset(sign * contactSlope(), sign * kContactUnits);
+        glPolygonOffset(nearer * contactSlope(), nearer * kContactUnits);
         draw();
     }
     glDisable(GL_POLYGON_OFFSET_FILL);

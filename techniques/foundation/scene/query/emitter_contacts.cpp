@@ -187,16 +187,17 @@ bool EmitterContacts::hasEmitterInFace(std::size_t object) const {
     return false;
 }
 
+int rankInContact(const Object& object, const Material& material, bool isFront) {
+    if (material.emission == vec3(0.0f)) return 1;
+    if (!shinesFrom(material, isFront)) return 0;
+    return object.emitterOfLight >= 0 ? 3 : 2;
+}
+
 std::uint32_t seenOf(std::span<const SeenTriangle> together) {
-    // A shining emitter before a plain face before a dark emitter; of shining ones the last, of others the first.
-    const auto rank = [](const SeenTriangle& t) { return t.shines ? 2 : t.isEmitter ? 0 : 1; };
-    const SeenTriangle* best = &together.front();
-    for (const SeenTriangle& t : together) {
-        if (rank(t) > rank(*best) ||
-            (rank(t) == rank(*best) && (t.shines ? t.number > best->number : t.number < best->number)))
-            best = &t;
-    }
-    return best->number;
+    const auto isBefore = [](const SeenTriangle& a, const SeenTriangle& b) {
+        return a.rank != b.rank ? a.rank > b.rank : a.number < b.number;
+    };
+    return std::ranges::min_element(together, isBefore)->number;
 }
 
 } // namespace shadowlab::scene

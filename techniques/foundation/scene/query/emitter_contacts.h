@@ -1,8 +1,9 @@
 // Emitters that lie in another face: a lamp let into a ceiling, both at one height.
 //
 // Two surfaces at one place would be seen in patches, as rounding has it. The rule for an eye, the same for rays and for the
-// rasteriser: an emitter that shines toward the eye is seen, and whole; of two the later in the scene. An emitter that does not
-// shine toward the eye gives way to the face in which it lies. Surfaces of lights come after all objects of the scene.
+// rasteriser: an emitter that shines toward the eye is seen, and whole, the surface of a light before other emitters. An
+// emitter that does not shine toward the eye gives way to the face in which it lies. Of two alike the first in the scene is seen, as
+// everywhere where surfaces are at one depth.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -43,12 +44,14 @@ private:
     std::vector<std::size_t> firstPartOfObject_; ///< one more than objects
 };
 
-/// A triangle at a place that an eye looks at.
+/// A triangle at a place that an eye looks at. The highest rank is seen, of equal ones the lowest number.
 struct SeenTriangle {
     std::uint32_t number;
-    bool shines; ///< toward the eye
-    bool isEmitter;
+    int rank;
 };
+
+/// Of a side of a triangle of that object and material.
+int rankInContact(const Object& object, const Material& material, bool isFront);
 
 /// Which of the triangles at one place is seen.
 std::uint32_t seenOf(std::span<const SeenTriangle> together);

@@ -137,7 +137,7 @@ EyeHit ExactVisibility::seenInContact(const EyeHit& nearest, std::span<const Eye
         const scene::Material& material = scene::materialOfTriangle(*snapshot_, object, hit.triangle);
         const Triangle& t = triangles_[number];
         const bool isFront = (glm::dot(glm::cross(t.b - t.a, t.c - t.a), direction) < 0) != scene::isMirrored(object);
-        together.push_back({number, scene::shinesFrom(material, isFront), material.emission != vec3(0.0f)});
+        together.push_back({number, scene::rankInContact(object, material, isFront)});
     }
     return *std::ranges::find(inContact, scene::seenOf(together), numberOf);
 }
