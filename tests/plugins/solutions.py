@@ -58,7 +58,7 @@ MISTAKES = {
         ("the receiver's cosine is forgotten", "cosJ * cosK /", "cosJ + 0 * cosK /"),
         ("nothing hides anything", ALL, "(void)rays, (void)p, (void)q;\nfree += 1;"),
         ("the areas are exchanged", "patches[j].area);\n", "patches[k].area);\n"),
-        ("pi is forgotten", "return pi * dvec3(material.emission)", "return dvec3(material.emission)"),
+        ("pi is forgotten", "return pi * emitted", "return emitted"),
         ("rho is forgotten", "equations.rho[i] * gathered", "gathered"),
     ],
 }
