@@ -22,13 +22,13 @@ class OwnColors : public testing::GlTest {
 protected:
     scene::Snapshot snapshot_ = testing::snapshot(testing::coloredScene());
     View view_{.camera = snapshot_->camera, .size = kSize};
-    picture::Session session_{snapshot_};
 };
 
 // Against diffuseAt(), the definition. A pixel at whose corner another triangle is seen may have been drawn as that one.
 TEST_F(OwnColors, AreThoseOfTheirDefinitionOnTheCard) {
+    picture::Session session(snapshot_);
     picture::Slot slot = picture::Session::makeSlot("unshadowed");
-    session_.render(slot, view_);
+    session.render(slot, view_);
     const std::vector<vec4> texels = gl::readTexels(slot.target.color);
     const scene::Scene& scene = *snapshot_;
     const trace::ExactVisibility judge(snapshot_);
@@ -67,13 +67,14 @@ TEST_F(OwnColors, AreThoseOfTheirDefinitionOnTheCard) {
 
 // Where both are certainly lit, or certainly in shadow, a technique's pixel is that of rays. Few are not: along the outlines.
 TEST_F(OwnColors, AreTheSameInEveryTechnique) {
+    picture::Session session(snapshot_);
     picture::PictureEncoder encoder;
     const auto pictureOf = [&](const std::string& technique, bool finished) {
         picture::Slot slot = picture::Session::makeSlot(technique);
         gl::FinishedPicture picture;
         FrameRequest request;
         if (finished) request.finished = &picture;
-        const picture::RenderedFrame rendered = session_.render(slot, view_, request);
+        const picture::RenderedFrame rendered = session.render(slot, view_, request);
         return rendered.result.isFinished ? picture::PictureEncoder::read(picture.color)
                                           : encoder.encode(slot.target.color, snapshot_->exposure);
     };
