@@ -63,7 +63,7 @@ TEST_F(EmitterInFaceTest, IsSeenWholeFromItsFrontAndNotAtAllFromBehind) {
                 scene.camera.positionWorld = transformPoint(turn, eye);
                 scene.camera.targetWorld = transformPoint(turn, dvec3(0.05, 0, 0.02));
                 scene.camera.fovYDegrees = glm::length(eye) > 20  ? 4
-                                           : glm::length(eye) > 8 ? 8
+                                           : glm::length(eye) > 8 ? 2
                                                                   : 40; // far ones look through a long lens
                 const auto snapshot = testing::snapshot(scene);
                 gl::SceneBuffers buffers;
