@@ -191,9 +191,8 @@ private:
             }
             rowSums_.emplace_back(limitRow(equations_.F, i), 1, 0);
             equations_.rho[i] = patch.diffuse;
-            const dvec3 emitted(materialOfSide(patch, i).emission);
             const double rowSum = std::min(1.0, rowSums_[i].x);
-            equations_.E[i] = emission(emitted, equations_.rho[i], irradiance, rowSum, dvec3(scene.background));
+            equations_.E[i] = emission(emittedBySide(patch, i), equations_.rho[i], irradiance, rowSum, dvec3(scene.background));
         }
         equations_.B = equations_.E;
         for (int bounce = 0; bounce < bounces_; ++bounce)

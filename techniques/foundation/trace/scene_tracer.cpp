@@ -39,7 +39,9 @@ bool SceneTracer::advance(const scene::Snapshot& snapshot, std::chrono::steady_c
     holes_ = Holes(*snapshot_, world());
     holesForLight_ = castsWhole_ ? Holes() : holes_;
     lookAtLights();
-    contacts_ = scene::EmitterContacts(*snapshot_);
+    if (!contactsOf_ || !scene::EmitterContacts::areThoseOf(*contactsOf_, *snapshot_))
+        contacts_ = scene::EmitterContacts(*snapshot_);
+    contactsOf_ = snapshot_;
     return true;
 }
 

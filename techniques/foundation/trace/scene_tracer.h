@@ -195,6 +195,7 @@ private:
     };
     std::vector<LightView> lights_;
     scene::EmitterContacts contacts_;
+    scene::Snapshot contactsOf_; ///< the scene that they were found in
     std::vector<std::uint8_t> casts_; ///< per triangle: 1 if its object casts shadows
 };
 

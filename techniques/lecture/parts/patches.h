@@ -20,11 +20,9 @@ struct Patch {
     dvec3 diffuse{0.0}; ///< reflectance, the mean over its points
 };
 
-/// The material, without its emission where the side stays dark. Sides as in FormFactors.
-inline scene::Material materialOfSide(const Patch& patch, std::size_t side) {
-    scene::Material material = *patch.material;
-    if (!scene::shinesFrom(material, side % 2 == 0)) material.emission = vec3(0.0f);
-    return material;
+/// What a side of it emits, as a radiance. Sides as in FormFactors.
+inline dvec3 emittedBySide(const Patch& patch, std::size_t side) {
+    return scene::shinesFrom(*patch.material, side % 2 == 0) ? dvec3(patch.material->emission) : dvec3(0.0);
 }
 
 /// Where the patches of a triangle are: m x m of equal size from number `first` on, or all of it in patch `first` (m = 1). m = 0: it

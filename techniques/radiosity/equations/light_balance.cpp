@@ -11,18 +11,15 @@ namespace shadowlab::radiosity {
 
 Sources sourcesOf(const Room& room, std::span<const DirectLight* const> lights, const dvec3& surroundings) {
     Sources sources;
-    const auto add = [&](const Patch& patch, double seenOutside) {
-        const scene::Material& material = room.materialOf(patch);
+    for (const Patch& patch : room.allPatches()) {
+        const std::size_t i = sources.emission.size();
+        const double seenOutside = i < room.patches().size() ? room.surroundings()[i] : 1; // loose ones see no surface at all
         // A Lambertian surface of radiance L sends pi L into its hemisphere.
-        sources.emission.push_back(room.faceOf(patch).shines ? glm::pi<double>() * dvec3(material.emission)
-                                                             : dvec3(0.0));
-        sources.reflectance.emplace_back(glm::clamp(room.reflectanceOf(patch), 0.0, 1.0));
+        const bool shines = room.faceOf(patch).shines;
+        sources.emission.push_back(shines ? glm::pi<double>() * dvec3(room.materialOf(patch).emission) : dvec3(0.0));
+        sources.reflectance.emplace_back(glm::clamp(room.reflectances()[i], 0.0, 1.0));
         sources.fromOutside.push_back(glm::pi<double>() * seenOutside * surroundings);
-    };
-    for (std::size_t i = 0; i < room.patches().size(); ++i)
-        add(room.patches()[i], room.surroundings()[i]);
-    for (std::size_t i = room.patches().size(); i < room.allPatches().size(); ++i)
-        add(room.allPatches()[i], 1); // they see no surface at all
+    }
     sources.fromLights.assign(sources.size(), dvec3(0));
     for (const DirectLight* light : lights)
         for (std::size_t i = 0; i < sources.size(); ++i)

@@ -143,6 +143,13 @@ double Room::cutWithinBudget() {
     }
 }
 
+const std::vector<dvec3>& Room::reflectances() const {
+    if (!reflectances_.empty()) return reflectances_;
+    reflectances_.resize(allPatches_.size());
+    trace::parallelFor(allPatches_.size(), [&](std::size_t i) { reflectances_[i] = reflectanceOf(allPatches_[i]); });
+    return reflectances_;
+}
+
 dvec3 Room::reflectanceOf(const Patch& patch) const {
     const dvec3 ofMaterial(materialOf(patch).diffuse);
     const std::uint32_t object = faceOf(patch).object;
@@ -162,6 +169,7 @@ void Room::sampleSurroundings(std::size_t patch) {
 }
 
 std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements) {
+    reflectances_.clear();
     Refined cut = refined(patches_, refinements, levels_);
     const std::vector<double> before = std::move(surroundings_);
     patches_ = std::move(cut.patches);

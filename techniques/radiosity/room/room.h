@@ -64,13 +64,14 @@ public:
     [[nodiscard]] const scene::Material& materialOf(const Patch& patch) const {
         return simple_->scene->materials[faceOf(patch).material];
     }
-    /// Diffuse reflectance, the mean over the patch.
-    [[nodiscard]] dvec3 reflectanceOf(const Patch& patch) const;
+    /// Diffuse reflectance of each of allPatches(), the mean over the patch. Found when first asked for, and after refine().
+    [[nodiscard]] const std::vector<dvec3>& reflectances() const;
     [[nodiscard]] const scene::Object& objectOf(const Patch& patch) const {
         return simple_->scene->objects[faceOf(patch).object];
     }
 
 private:
+    [[nodiscard]] dvec3 reflectanceOf(const Patch& patch) const;
     void sampleSurroundings(std::size_t patch);
     enum class Phase { simplify, cut, sample, done };
     void simplify();
@@ -83,6 +84,7 @@ private:
     Phase phase_ = Phase::simplify;
     std::optional<SimplifiedScene> simple_;
     std::optional<PatchColors> colors_;
+    mutable std::vector<dvec3> reflectances_; ///< empty: not found yet
     trace::WorldTriangles world_;
     Faces plain_; ///< the faces that block light
     Sides sides_;

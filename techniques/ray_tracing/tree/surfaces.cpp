@@ -60,7 +60,9 @@ vec3 Surfaces::diffuseOf(const trace::SurfacePoint& point) const {
 }
 
 bool Surfaces::emitsHere(const trace::SurfacePoint& point) const {
-    return scene::shinesFrom(materialOf(point), point.eyeOnFront != scene::isMirrored(tracer_->objectOf(point)));
+    const scene::Material& material = materialOf(point);
+    if (material.emission == vec3(0)) return false; // most: nothing else has to be found out
+    return scene::shinesFrom(material, point.eyeOnFront != scene::isMirrored(tracer_->objectOf(point)));
 }
 
 // [anchor: shaded-lights-off]

@@ -129,7 +129,7 @@ void SceneBuffers::update(const scene::Snapshot& snapshot) {
         facing_.clear();
         facingOfAllLights_.reset();
     }
-    if (!samePlaces || snapshot_->revisions.materials != snapshot->revisions.materials)
+    if (!snapshot_ || !scene::EmitterContacts::areThoseOf(*snapshot_, *snapshot))
         contacts_ = scene::EmitterContacts(*snapshot);
     if (!samePlaces) bounds_ = scene::objectBounds(*snapshot);
     // The previous snapshot is kept until the end of the function, so that no new mesh has the address of an old one.

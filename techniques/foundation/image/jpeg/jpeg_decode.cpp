@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <turbojpeg.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <new>

@@ -107,7 +107,7 @@ std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::
     readObjects(reading, top);
     misnamedNote.appendTo(scene->notes);
     addEmitterSurfaces(*scene);
-    if (!cameraKeys(document, camera, "the camera").find("near")) scene->camera.near = defaultNear(*scene);
+    if (!cameraKeys(document, camera, "the camera").find("near")) scene->camera.near = defaultNear(*scene, scene->camera);
     addNotes(*scene, file);
     scene->memory = memoryBudget(*scene, options.limits);
     return scene;

@@ -73,9 +73,7 @@ private:
 
 std::string cameraJson(const Scene& scene, const Camera& camera) {
     Camera standard;
-    Scene seen = scene;
-    seen.camera = camera;
-    standard.near = defaultNear(seen);
+    standard.near = defaultNear(scene, camera);
     Line line;
     line.vector("position", camera.positionWorld)
         .vector("target", camera.targetWorld)

@@ -14,6 +14,7 @@ std::uint64_t newRevision() {
 std::string_view toText(EmittingSides sides) { return sides == EmittingSides::both ? "both" : "front"; }
 
 std::size_t partOf(const Mesh& mesh, std::uint32_t triangle) {
+    // The parts are in order and cover all triangles.
     const auto after = std::ranges::upper_bound(mesh.parts, triangle, {}, &MeshPart::firstTriangle);
     return static_cast<std::size_t>(after - mesh.parts.begin() - 1);
 }
@@ -43,9 +44,7 @@ std::vector<Bounds> objectBounds(const Scene& scene) {
 bool isMirrored(const Object& object) { return glm::determinant(dmat3(object.worldFromObject)) < 0; }
 
 const Material& materialOfTriangle(const Scene& scene, const Object& object, std::uint32_t triangle) {
-    // The parts are in order and cover all triangles.
-    const auto after = std::ranges::upper_bound(object.mesh->parts, triangle, {}, &MeshPart::firstTriangle);
-    return scene.materials[object.partMaterials[static_cast<std::size_t>(after - object.mesh->parts.begin()) - 1]];
+    return scene.materials[object.partMaterials[partOf(*object.mesh, triangle)]];
 }
 
 std::uint64_t triangleCount(const Scene& scene) {

@@ -34,7 +34,6 @@ int wrapped(int texel, int count, bool clamped) {
 
 ColorImage::ColorImage(const image::Image& image, const ImageGain& gain) : size_(image.width, image.height) {
     texels_.reserve(image.rgba.size());
-    dvec3 sum(0.0);
     for (int y = size_.y; y-- > 0;)
         for (int x = 0; x < size_.x; ++x) {
             const image::Color8 texel = image.at(x, y);
@@ -42,10 +41,6 @@ ColorImage::ColorImage(const image::Image& image, const ImageGain& gain) : size_
                 texels_.push_back(withGain(byte, gain));
             texels_.push_back(255);
         }
-    for (int y = 0; y < size_.y; ++y)
-        for (int x = 0; x < size_.x; ++x)
-            sum += texel({x, y}, true);
-    mean_ = vec3(sum / (static_cast<double>(size_.x) * size_.y));
 }
 
 vec3 ColorImage::texel(ivec2 place, bool clamped) const {

@@ -27,8 +27,6 @@ public:
 
     /// Linear RGB, interpolated between the centres of texels. `place`: see ImagePlacement.
     [[nodiscard]] vec3 at(const dvec2& place, bool clamped) const;
-    /// Linear RGB, the mean of all texels.
-    [[nodiscard]] vec3 mean() const { return mean_; }
     [[nodiscard]] ivec2 size() const { return size_; }
     /// Four bytes per texel, r, g, b and 255, sRGB-encoded, rows from the bottom: as OpenGL counts them.
     [[nodiscard]] const std::vector<std::uint8_t>& texels() const { return texels_; }
@@ -37,7 +35,6 @@ private:
     [[nodiscard]] vec3 texel(ivec2 place, bool clamped) const;
     ivec2 size_;
     std::vector<std::uint8_t> texels_;
-    vec3 mean_{0.0f};
 };
 
 /// The image that colours a part of the object's mesh; nullptr: none.

@@ -104,6 +104,42 @@ bool overlap(const Placed& a, const Placed& b) {
     return !isSeparated(a, b) && !isSeparated(b, a);
 }
 
+/// Triangles in the order in which their boxes begin along the axis in which they spread most: of many, few are near another one.
+class SortedTriangles {
+public:
+    explicit SortedTriangles(std::vector<Placed> triangles) {
+        for (const Placed& triangle : triangles)
+            box_.include(triangle.bounds());
+        const dvec3 size = box_.upperWorld - box_.lowerWorld;
+        axis_ = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+        for (const Placed& triangle : triangles)
+            entries_.push_back({triangle.bounds(), triangle});
+        std::ranges::sort(entries_, {}, [this](const Entry& entry) { return entry.box.lowerWorld[axis_]; });
+        for (const Entry& entry : entries_)
+            longest_ = std::max(longest_, entry.box.upperWorld[axis_] - entry.box.lowerWorld[axis_]);
+    }
+    /// Empty where there are none.
+    [[nodiscard]] const Bounds& box() const { return box_; }
+    /// Calls `visit` with each triangle whose box touches this one.
+    template <typename Visit>
+    void near(const Bounds& box, const Visit& visit) const {
+        const auto lower = [this](const Entry& entry) { return entry.box.lowerWorld[axis_]; };
+        for (auto entry = std::ranges::lower_bound(entries_, box.lowerWorld[axis_] - longest_, {}, lower);
+             entry != entries_.end() && lower(*entry) <= box.upperWorld[axis_]; ++entry)
+            if (touch(entry->box, box)) visit(entry->triangle);
+    }
+
+private:
+    struct Entry {
+        Bounds box;
+        Placed triangle;
+    };
+    std::vector<Entry> entries_;
+    Bounds box_;
+    int axis_ = 0;
+    double longest_ = 0; ///< of all boxes, along the axis
+};
+
 } // namespace
 
 EmitterContacts::EmitterContacts(const Scene& scene) {
@@ -139,10 +175,8 @@ EmitterContacts::EmitterContacts(const Scene& scene) {
     const Bounds everywhere{dvec3(-1e300), dvec3(1e300)};
     std::vector<bool> emitterParts(all.size());
     for (const Part& emitter : emitters) {
-        const std::vector<Placed> shining = trianglesOf(emitter, everywhere);
-        Bounds box;
-        for (const Placed& triangle : shining)
-            box.include(triangle.bounds());
+        const SortedTriangles shining(trianglesOf(emitter, everywhere));
+        const Bounds& box = shining.box();
         if (box.isEmpty()) continue;
         for (const Part& other : all) {
             if (other.object == emitter.object && other.part == emitter.part) continue;
@@ -150,17 +184,13 @@ EmitterContacts::EmitterContacts(const Scene& scene) {
             const dvec3 margin = 2 * kFloatRounding * (glm::abs(grown.lowerWorld) + glm::abs(grown.upperWorld));
             grown = {grown.lowerWorld - margin, grown.upperWorld + margin};
             if (!touch(grown, box)) continue;
-            for (const Placed& face : trianglesOf(other, box)) {
-                const Bounds faceBox = face.bounds();
-                for (const Placed& triangle : shining) {
-                    if (!touch(triangle.bounds(), faceBox) ||
-                        !(liesInPlane(triangle, face) || liesInPlane(face, triangle)) || !overlap(triangle, face))
-                        continue;
+            for (const Placed& face : trianglesOf(other, box))
+                shining.near(face.bounds(), [&](const Placed& triangle) {
+                    if (!(liesInPlane(triangle, face) || liesInPlane(face, triangle)) || !overlap(triangle, face)) return;
                     pairs_.push_back({triangle.number, face.number});
                     pairs_.push_back({face.number, triangle.number});
                     emitterParts[firstPartOfObject_[emitter.object] + emitter.part] = true;
-                }
-            }
+                });
         }
     }
     if (pairs_.empty()) return;

@@ -20,6 +20,11 @@ public:
     /// Finds them. Faces lie in one plane if the rounding of their floats explains the difference; those that share no more than an
     /// edge do not count, nor do faces of the same part of one mesh.
     explicit EmitterContacts(const Scene& scene);
+    /// Are they the same in the other scene? Lights alone may then differ.
+    [[nodiscard]] static bool areThoseOf(const Scene& scene, const Scene& other) {
+        const Revisions &a = scene.revisions, &b = other.revisions;
+        return a.geometry == b.geometry && a.transforms == b.transforms && a.materials == b.materials;
+    }
 
     [[nodiscard]] bool isEmpty() const { return pairs_.empty(); }
     /// Triangles are counted through all objects. Is it an emitter in a face, or a face with an emitter in it?
