@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <span>
 
 #include "app/cli/command.h"
 #include "app/cli/inspection.h"
@@ -170,6 +171,26 @@ std::string sceneLines(const Inspection& inspection) {
     return aligned(rows, terminalColumns());
 }
 
+/// Faces at one place: a row for each two surfaces, as many as are read; bodies that stand on something in one line.
+std::string coincidingTable(const std::vector<Coinciding>& all) {
+    constexpr std::size_t kMost = 12;
+    Rows rows{{"coinciding faces", "and", "pairs of triangles", "seen"}};
+    std::size_t bodies = 0, left = 0;
+    for (const Coinciding& one : all)
+        if (one.stands)
+            ++bodies;
+        else if (rows.size() > kMost)
+            ++left;
+        else
+            rows.push_back({scene::shown(one.first, 40), one.first == one.second ? "itself" : scene::shown(one.second, 40),
+                            std::to_string(one.pairs), scene::shown(one.seen, 80)});
+    std::string text = rows.size() > 1 ? aligned(rows, terminalColumns()) : "";
+    if (left > 0) text += "and " + std::to_string(left) + " more; --json lists all\n";
+    if (bodies > 0)
+        text += "closed bodies stand on faces of others in " + scene::counted(bodies, "place") + ", which nothing outside sees (--json lists them)\n";
+    return text;
+}
+
 /// What is odd about where, and how large, a mesh is.
 std::string oddities(const InspectedMesh& mesh) {
     const std::string name = scene::shown(mesh.name, 40);
@@ -191,6 +212,7 @@ std::string text(const Inspection& inspection) {
     if (!inspection.materials.empty()) text += "\n" + materialTable(inspection.materials);
     if (bare && !inspection.emitters.empty()) text += "emitters: " + emitterWords(inspection.emitters) + "\n";
     if (!bare && !inspection.meshes.empty()) text += "\n" + meshTable(inspection.meshes);
+    if (!inspection.coinciding.empty()) text += "\n" + coincidingTable(inspection.coinciding);
     std::string more;
     for (const InspectedMesh& mesh : inspection.meshes)
         more += oddities(mesh);
@@ -215,7 +237,7 @@ std::string text(const Inspection& inspection) {
 }
 
 Json inspectionJson(const Inspection& inspection) {
-    Json meshes = Json::array(), remarks = Json::array(), materials = Json::array(), looks = Json::array(), emitters = Json::array(), scene;
+    Json meshes = Json::array(), remarks = Json::array(), materials = Json::array(), looks = Json::array(), emitters = Json::array(), coinciding = Json::array(), scene;
     for (const auto& [material, vertexColors] : inspection.materials) {
         materials.push_back(material.name);
         looks.push_back({{"name", material.name},
@@ -243,6 +265,8 @@ Json inspectionJson(const Inspection& inspection) {
         entry["largestInWorld"] = mesh.largestInWorld;
         entry["scale"] = kScales[static_cast<std::size_t>(mesh.scale)];
     }
+    for (const Coinciding& one : inspection.coinciding)
+        coinciding.push_back({{"first", one.first}, {"second", one.second}, {"faceAlike", one.faceAlike}, {"stands", one.stands}, {"pairs", one.pairs}, {"seen", one.seen}});
     for (const Remark& remark : inspection.remarks)
         for (const std::size_t mesh : remark.meshes)
             remarks.push_back(
@@ -262,6 +286,7 @@ Json inspectionJson(const Inspection& inspection) {
             {"emitters", emitters},
             {"scene", scene},
             {"meshes", meshes},
+            {"coinciding", coinciding},
             {"remarks", remarks},
             {"notes", inspection.notes}};
 }

@@ -142,7 +142,9 @@ Inspection inspectFile(const std::string& file, const std::vector<std::filesyste
         if (!obj.mesh.colors.empty())
             for (const scene::MeshPart& part : obj.mesh.parts)
                 withColors.insert(part.materialName);
-        addObjects(inspection, alone(inspection.name, std::move(obj)));
+        const scene::Scene unstaged = alone(inspection.name, std::move(obj));
+        inspection.coinciding = coinciding(unstaged);
+        addObjects(inspection, unstaged);
     } else {
         const auto scene = scene::loadScene(file, loading);
         inspection.name = scene->name;
@@ -154,6 +156,7 @@ Inspection inspectFile(const std::string& file, const std::vector<std::filesyste
                 if (scene::usesVertexColors(*scene, object, part)) withColors.insert(materials[object.partMaterials[part]].name);
         lampMaterials = static_cast<std::size_t>(
             std::ranges::count_if(scene->objects, [](const scene::Object& o) { return o.emitterOfLight >= 0; }));
+        inspection.coinciding = coinciding(*scene);
         addObjects(inspection, *scene);
     }
     for (const scene::Material& material : materials)

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/coinciding.h"
 #include "techniques/foundation/math/types.h"
 #include "techniques/foundation/scene/model/scene.h"
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
@@ -63,6 +64,7 @@ struct Inspection {
     std::vector<std::string> notes;
     std::vector<InspectedEmitter> emitters; ///< without those of lights
     std::vector<InspectedMesh> meshes;      ///< each once, in the order in which objects show them
+    std::vector<Coinciding> coinciding;     ///< faces at one place
     std::vector<Remark> remarks;            ///< in the order of the techniques
 };
 

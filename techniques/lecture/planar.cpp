@@ -155,7 +155,7 @@ private:
         plane_.use();
         plane_.set("clipFromMesh", mat4(frame.eye().clipFromMesh(frame.scene().objects[plane.object])));
         for (const std::uint32_t triangle : plane.triangles)
-            frame.buffers().mesh(plane.object).draw(triangle, 1);
+            gl::drawTriangles(frame.scene(), frame.buffers(), frame.eye(), plane.object, triangle, 1);
     }
 
     /// All casters but the plane's own object, flattened onto the plane.

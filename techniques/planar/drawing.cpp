@@ -8,11 +8,6 @@ namespace shadowlab::planar {
 
 namespace {
 
-void drawRuns(const gl::MeshBuffers& mesh, const std::vector<TriangleRun>& runs) {
-    for (const TriangleRun& run : runs)
-        mesh.draw(run.first, run.count);
-}
-
 bool isSomewhere(const scene::PicturePart& part) { return part.lower.x < part.upper.x && part.lower.y < part.upper.y; }
 
 } // namespace
@@ -65,7 +60,8 @@ void Planar::tagReceivers(const Frame& frame, bool everywhere) const {
 
 void Planar::drawReceiver(const Frame& frame, const gl::Program& program, const ChosenReceiver& one) {
     program.set("clipFromMesh", mat4(frame.eye().clipFromMesh(frame.scene().objects[one.receiver.object])));
-    drawRuns(frame.buffers().mesh(one.receiver.object), one.receiver.face->runs);
+    for (const TriangleRun& run : one.receiver.face->runs)
+        gl::drawTriangles(frame.scene(), frame.buffers(), frame.eye(), one.receiver.object, run.first, run.count);
 }
 
 // [anchor: mark-state]

@@ -39,9 +39,7 @@ bool SceneTracer::advance(const scene::Snapshot& snapshot, std::chrono::steady_c
     holes_ = Holes(*snapshot_, world());
     holesForLight_ = castsWhole_ ? Holes() : holes_;
     lookAtLights();
-    if (!contactsOf_ || !scene::EmitterContacts::areThoseOf(*contactsOf_, *snapshot_))
-        contacts_ = scene::EmitterContacts(*snapshot_);
-    contactsOf_ = snapshot_;
+    coincident_ = scene::CoincidentFaces::of(*snapshot_);
     return true;
 }
 
@@ -99,28 +97,25 @@ SurfacePoint SceneTracer::eyePoint(const EyeRays& rays, dvec2 pixel) const {
 }
 
 RayHit SceneTracer::seenInstead(const Ray& ray, const RayHit& hit, const MayHit& mayHit, double time) const {
-    if (!hit || !contacts_.touches(hit.primitive)) return hit;
-    const ShearedRay sheared(ray);
-    std::vector<RayHit> hits{hit};
-    for (const std::uint32_t other : contacts_.of(hit.primitive)) {
-        if (!mayHit(other)) continue;
-        if (time != 0 && snapshot_->objects[world().objects[other]].velocityWorld !=
-                             snapshot_->objects[world().objects[hit.primitive]].velocityWorld)
-            continue; // they have parted
-        const auto found = intersect(sheared, bvh().triangles[other], std::numeric_limits<double>::infinity());
-        if (found && !mayHit.inHole(other, found->barycentric))
-            hits.push_back({found->reach / sheared.reachPerT, other, found->barycentric});
-    }
-    std::vector<scene::SeenTriangle> together;
-    for (const RayHit& one : hits) {
-        const SurfacePoint point = surfacePoint(ray.directionCentred, one);
-        const scene::Object& object = objectOf(point);
-        const scene::Material& material = scene::materialOfTriangle(
-            *snapshot_, object, one.primitive - world().firstOfObject[world().objects[one.primitive]]);
-        together.push_back(
-            {one.primitive, scene::rankInContact(object, material, point.eyeOnFront != scene::isMirrored(object))});
-    }
-    return *std::ranges::find(hits, scene::seenOf(together), &RayHit::primitive);
+    if (!hit || !coincident_->touches(hit.primitive)) return hit;
+    const bool isWithin = coincident_->isWithinBody(ray.originCentred + world().originWorld);
+    if (!mayShowAnother(surfacePoint(ray.directionCentred, hit), isWithin)) return hit;
+    // Of those in its place one that goes before it, then one that goes before that, until there is none.
+    RayHit seen = hit;
+    const dvec3 velocity = snapshot_->objects[world().objects[hit.primitive]].velocityWorld;
+    const std::function<bool(std::uint32_t)> goesBefore = [&](std::uint32_t other) {
+        return mayHit(other) && coincident_->areTogether(seen.primitive, other) &&
+               rankOf(seen.primitive, ray.directionCentred) < rankOf(other, ray.directionCentred) &&
+               (time == 0 || snapshot_->objects[world().objects[other]].velocityWorld == velocity); // else they have parted
+    };
+    while (const RayHit other = closest(ray, {.only = &goesBefore, .holes = mayHit.holes}))
+        seen = other;
+    return seen;
+}
+
+scene::SideRank SceneTracer::rankOf(std::uint32_t primitive, const dvec3& directionWorld) const {
+    const SurfacePoint point = surfacePoint(directionWorld, {0, primitive, {}});
+    return coincident_->rank(primitive, point.eyeOnFront != scene::isMirrored(objectOf(point)));
 }
 
 SurfacePoint SceneTracer::surfacePoint(const EyeRays& rays, const RayHit& hit) const {
@@ -194,7 +189,7 @@ std::uint32_t SceneTracer::blocker(const SurfacePoint& point, int light, ShadowS
 }
 
 bool SceneTracer::isBlockedBy(std::uint32_t primitive, const SurfacePoint& point, int light) const {
-    if (primitive == point.primitive || !blockers(light)[primitive]) return false;
+    if (!mayBlock(light, point.primitive)(primitive)) return false;
     const Ray ray = shadowRay(point, light, ShadowStart::exact);
     if (!isUsable(ray)) return false;
     const ShearedRay sheared(ray);

@@ -11,7 +11,7 @@
 #include <optional>
 #include <span>
 
-#include "techniques/foundation/scene/query/emitter_contacts.h"
+#include "techniques/foundation/scene/query/coincident/coincident_faces.h"
 #include "techniques/foundation/trace/bvh/bvh_build.h"
 #include "techniques/foundation/trace/eye_rays.h"
 #include "techniques/foundation/trace/judge/exact_visibility.h"
@@ -86,18 +86,27 @@ public:
     /// plane of a rect does not block it (lamp_plane.h); kAnyLight: it goes anywhere.
     [[nodiscard]] bool isBlocked(const Ray& ray, std::uint32_t leftOut, int light = kAnyLight) const;
     static constexpr int kAnyLight = -1;
+    /// Is that the triangle on which a ray begins, or one that lies in its plane but for rounding? A ray does not meet those.
+    [[nodiscard]] bool isLeft(std::uint32_t from, std::uint32_t primitive) const {
+        return from == primitive || (coincidentWith(from) && coincident_->areTogether(from, primitive));
+    }
     /// What an engine over the same triangles is asked for, to answer these two.
-    [[nodiscard]] MayHit mayMeet(std::uint32_t leftOut) const { return {.except = leftOut, .holes = &holes_}; }
+    [[nodiscard]] MayHit mayMeet(std::uint32_t leftOut) const {
+        return {.except = leftOut, .coincident = coincidentWith(leftOut), .holes = &holes_};
+    }
     [[nodiscard]] MayHit mayStandIn(std::uint32_t leftOut, int light = kAnyLight) const {
-        return {leftOut, castersFor(light).data(), &holesForLight_};
+        return {.except = leftOut,
+                .coincident = coincidentWith(leftOut),
+                .flags = castersFor(light).data(),
+                .holes = &holesForLight_};
     }
     /// For each triangle 1 if it can hide a part of the light, else 0.
     [[nodiscard]] std::span<const std::uint8_t> castersFor(int light) const {
         if (light == kAnyLight || lights_[static_cast<std::size_t>(light)].hidesPart.empty()) return casts_;
         return lights_[static_cast<std::size_t>(light)].hidesPart;
     }
-    /// The hit, or that on another triangle at the same place that is seen instead (scene/query/emitter_contacts.h). `time`: of what
-    /// moves (moving_scene.h).
+    /// The hit, or that on another triangle at the same place that is seen instead (scene/query/coincident/coincident_faces.h). `time`:
+    /// of what moves (moving_scene.h).
     [[nodiscard]] RayHit seenInstead(const Ray& ray, const RayHit& hit, const MayHit& mayHit, double time = 0) const;
     /// What a ray of that direction has hit.
     [[nodiscard]] SurfacePoint surfacePoint(const dvec3& directionWorld, const RayHit& hit) const;
@@ -168,7 +177,19 @@ private:
     [[nodiscard]] std::uint32_t any(const Ray& ray, const MayHit& mayHit) const;
     /// Without that triangle, what may stand in the light's way.
     [[nodiscard]] MayHit mayBlock(int light, std::uint32_t except) const {
-        return {except, blockers(light).data(), &holesForLight_};
+        return {.except = except,
+                .coincident = coincidentWith(except),
+                .flags = blockers(light).data(),
+                .holes = &holesForLight_};
+    }
+    /// Where a ray begins on a triangle that lies in one plane with others, but for rounding, it may not meet those.
+    [[nodiscard]] const scene::CoincidentFaces* coincidentWith(std::uint32_t primitive) const {
+        return primitive != kNoPrimitive && coincident_->anyUneven() && coincident_->isUneven(primitive) ? coincident_.get() : nullptr;
+    }
+    [[nodiscard]] scene::SideRank rankOf(std::uint32_t primitive, const dvec3& directionWorld) const;
+    [[nodiscard]] bool mayShowAnother(const SurfacePoint& point, bool eyeIsWithin) const {
+        return coincident_->touches(point.primitive) &&
+               coincident_->mayShowAnother(point.primitive, point.eyeOnFront != scene::isMirrored(objectOf(point)), eyeIsWithin);
     }
     [[nodiscard]] SurfacePoint surfacePoint(const EyeRays& rays, const RayHit& hit) const;
     [[nodiscard]] Ray shadowRay(const SurfacePoint& point, int light, ShadowStart start) const;
@@ -194,8 +215,7 @@ private:
         std::vector<std::uint8_t> hidesPart;
     };
     std::vector<LightView> lights_;
-    scene::EmitterContacts contacts_;
-    scene::Snapshot contactsOf_; ///< the scene that they were found in
+    std::shared_ptr<const scene::CoincidentFaces> coincident_ = std::make_shared<scene::CoincidentFaces>();
     std::vector<std::uint8_t> casts_; ///< per triangle: 1 if its object casts shadows
 };
 

@@ -88,37 +88,47 @@ std::optional<Surface> RayScene::firstSurface(const Ray& ray) const {
     Ray shortened = ray;
     Hit nearest, hit;
     descend(shortened, 1.0 / ray.u, *all_, [&](const Triangle* t) {
-        if (t == ray.leaves || !intersects(shortened, *t, hit)) return false;
+        if (isLeft(*t, ray) || !intersects(shortened, *t, hit)) return false;
         if (scene::isInHole(scene(), objectOf(*t), t->inObject, {1 - hit.b - hit.c, hit.b, hit.c})) return false;
         nearest = hit;
         shortened.farthest = hit.distance;
         return false; // a nearer one may come
     });
     if (!nearest.triangle) return std::nullopt;
-    return contacts_.touches(nearest.triangle->number) ? seenInContact(ray, nearest) : surfaceAt(ray, nearest);
+    return surfaceAt(ray, seenInPlaceOf(nearest, ray));
 }
 
-/// An emitter may lie in the face that is met (scene/query/emitter_contacts.h).
-Surface RayScene::seenInContact(const Ray& ray, const Hit& nearest) const {
-    std::vector<Surface> surfaces{surfaceAt(ray, nearest)};
-    Hit hit;
-    for (const std::uint32_t other : contacts_.of(nearest.triangle->number))
-        if (const Triangle& t = triangles_[other];
-            &t != ray.leaves && intersects(ray, t, hit) &&
-            !scene::isInHole(scene(), objectOf(t), t.inObject, {1 - hit.b - hit.c, hit.b, hit.c}))
-            surfaces.push_back(surfaceAt(ray, hit));
-    std::vector<scene::SeenTriangle> together;
-    for (const Surface& surface : surfaces)
-        together.push_back({surface.triangle->number,
-                            scene::rankInContact(objectOf(*surface.triangle), *surface.material, surface.onFront)});
-    const std::uint32_t seen = scene::seenOf(together);
-    return *std::ranges::find_if(surfaces, [&](const Surface& surface) { return surface.triangle->number == seen; });
+/// Faces may coincide: of those at one place one is seen (scene/query/coincident/coincident_faces.h).
+Hit RayScene::seenInPlaceOf(const Hit& nearest, const Ray& ray) const {
+    const Triangle& first = *nearest.triangle;
+    if (!coincident_->mayShowAnother(first.number, isFront(first, ray), coincident_->isWithinBody(ray.startWorld))) return nearest;
+    Hit seen = nearest, hit;
+    descend(ray, 1.0 / ray.u, *all_, [&](const Triangle* t) {
+        if (coincident_->areTogether(first.number, t->number) && rankOf(*seen.triangle, ray) < rankOf(*t, ray) && !isLeft(*t, ray) &&
+            intersects(ray, *t, hit) && !scene::isInHole(scene(), objectOf(*t), t->inObject, {1 - hit.b - hit.c, hit.b, hit.c}))
+            seen = hit;
+        return false; // others may go before it
+    });
+    return seen;
+}
+
+scene::SideRank RayScene::rankOf(const Triangle& t, const Ray& ray) const { return coincident_->rank(t.number, isFront(t, ray)); }
+
+/// Does the ray begin on the triangle, or on one in the same plane, but for rounding?
+bool RayScene::isLeft(const Triangle& t, const Ray& ray) const {
+    return &t == ray.leaves || (ray.leaves && coincident_->isUneven(t.number) && coincident_->areTogether(ray.leaves->number, t.number));
+}
+
+/// Does the ray see the side with the corners counter-clockwise?
+bool RayScene::isFront(const Triangle& t, const Ray& ray) const {
+    const dvec3 frontWorld = glm::cross(t.bWorld - t.aWorld, t.cWorld - t.aWorld);
+    return (glm::dot(frontWorld, ray.u) < 0) != scene::isMirrored(objectOf(t));
 }
 
 bool RayScene::isBlocked(const Ray& ray, int light) const {
     Hit hit;
     return descend(ray, 1.0 / ray.u, *all_, [&](const Triangle* t) { // any will do
-        return t != ray.leaves && objectOf(*t).castsShadow && (light < 0 || lightSide(*t, light) != 0) &&
+        return !isLeft(*t, ray) && objectOf(*t).castsShadow && (light < 0 || lightSide(*t, light) != 0) &&
                intersects(ray, *t, hit) &&
                !scene::isInHole(scene(), objectOf(*t), t->inObject, {1 - hit.b - hit.c, hit.b, hit.c});
     });
@@ -143,14 +153,13 @@ Surface RayScene::surfaceAt(const Ray& ray, const Hit& hit) const {
         return glm::normalize(normalWorldFromMesh * dvec3(normals[corner]));
     };
     const dvec3 N = glm::normalize(at(normalWorld(corners.x), normalWorld(corners.y), normalWorld(corners.z)));
-    const dvec3 frontWorld = glm::cross(t.bWorld - t.aWorld, t.cWorld - t.aWorld);
     return {at(t.aWorld, t.bWorld, t.cWorld),
             glm::dot(N, ray.u) > 0 ? -N : N,
             &scene().materials[t.material],
             dvec3(scene::diffuseAt(scene(), object, t.inObject, {1 - hit.b - hit.c, hit.b, hit.c})),
             &t,
             hit.distance,
-            (glm::dot(frontWorld, ray.u) < 0) != scene::isMirrored(object)};
+            isFront(t, ray)};
 }
 
 vec3 RayScene::emissionAt(const Surface& surface) const {
@@ -176,7 +185,7 @@ RayScene::RayScene(const scene::Snapshot& snapshot) : snapshot_(snapshot) {
     for (const Triangle& t : triangles_)
         sorted_.push_back(&t);
     all_ = enclose(sorted_);
-    contacts_ = scene::EmitterContacts(scene());
+    coincident_ = scene::CoincidentFaces::of(scene());
     for (const scene::Light& light : scene().lights)
         facing_.push_back(scene::facingSigns(scene(), light));
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "techniques/foundation/scene/model/scene.h"
-#include "techniques/foundation/scene/query/emitter_contacts.h"
+#include "techniques/foundation/scene/query/coincident/coincident_faces.h"
 
 namespace shadowlab::lecture {
 
@@ -82,10 +82,13 @@ public:
 
 private:
     [[nodiscard]] Surface surfaceAt(const Ray& ray, const Hit& hit) const;
-    [[nodiscard]] Surface seenInContact(const Ray& ray, const Hit& nearest) const;
+    [[nodiscard]] Hit seenInPlaceOf(const Hit& nearest, const Ray& ray) const;
+    [[nodiscard]] bool isFront(const Triangle& t, const Ray& ray) const;
+    [[nodiscard]] bool isLeft(const Triangle& t, const Ray& ray) const;
+    [[nodiscard]] scene::SideRank rankOf(const Triangle& t, const Ray& ray) const;
     scene::Snapshot snapshot_;
     std::vector<std::vector<std::int8_t>> facing_; ///< per light and triangle
-    scene::EmitterContacts contacts_;
+    std::shared_ptr<const scene::CoincidentFaces> coincident_;
     std::vector<Triangle> triangles_;     ///< in the order of the scene
     std::vector<const Triangle*> sorted_; ///< as they lie in the tree
     std::unique_ptr<BoundingVolume> all_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "techniques/foundation/scene/query/coincident/coincident_faces.h"
 #include "techniques/foundation/trace/bvh/bvh_build.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/radiosity/patches/contacts.h"
@@ -24,36 +25,21 @@ constexpr double kFold = 0.5, kNothingElse = 0.95;
 // The share of the budget that simplified meshes may use; flat faces must be cut as well.
 constexpr double kShareOfFaces = 0.6;
 
-/// Of sides in one plane that face one way, the one of higher rank is seen, as by an eye (scene/query/emitter_contacts.h): one that
-/// shines, then one of no emitter, then one of an emitter that is dark.
-int rankOf(const Face& side, const scene::Scene& scene) {
-    return scene.materials[side.material].emission == vec3(0.0f) ? 1 : side.shines ? 2 : 0;
-}
-
-/// For each side those that would cover it where they overlap; empty: there are no emitters.
-std::vector<std::vector<std::uint32_t>> facesOver(const std::vector<Face>& sides, const scene::Scene& scene) {
-    std::vector<std::uint32_t> emitters;
-    for (std::uint32_t i = 0; i < sides.size(); ++i)
-        if (scene.materials[sides[i].material].emission != vec3(0.0f)) emitters.push_back(i);
-    if (emitters.empty()) return {};
-    std::vector<std::vector<std::uint32_t>> over(sides.size());
-    for (std::uint32_t i = 0; i < sides.size(); ++i) {
-        const double size = sizeOf(sides[i].polygon);
-        trace::CentredBox box = boxOf(sides[i].polygon);
-        box.grow(kTouching * size);
-        for (const std::uint32_t e : emitters) {
-            const Face &one = sides[i], &emitter = sides[e];
-            const double touching = kTouching * (size + sizeOf(emitter.polygon));
-            const Plane turned{one.plane.point, -one.plane.normal};
-            if (e == i || glm::dot(one.plane.normal, emitter.plane.normal) < 0 ||
-                !box.touches(boxOf(emitter.polygon)) || !isBehind(one.plane, emitter.polygon, touching) ||
-                !isBehind(turned, emitter.polygon, touching))
-                continue;
-            const int own = rankOf(one, scene), other = rankOf(emitter, scene);
-            if (other > own || (other == own && emitter.triangles[0] < one.triangles[0])) over[i].push_back(e);
-            if (own == 1 && other == 0) over[e].push_back(i); // the other emitters look for themselves
+/// For each side those that are seen in its place where they overlap (scene/query/coincident/coincident_faces.h); empty: nothing coincides.
+std::vector<std::vector<std::uint32_t>> sidesOver(const Sides& sides, const scene::Scene& scene, const trace::WorldTriangles& world) {
+    const scene::CoincidentFaces coincident(scene);
+    std::vector<std::vector<std::uint32_t>> over(coincident.isEmpty() ? 0 : sides.faces.all.size());
+    for (const auto& [triangle, other, faceAlike, gap] : coincident.pairs())
+        for (const bool isFront : {true, false}) { // as the meshes have it
+            const auto sideOf = [&](std::uint32_t t, bool isFrontOfMesh) {
+                const bool isFrontInWorld = isFrontOfMesh != scene::isMirrored(scene.objects[world.objects[t]]);
+                return (isFrontInWorld ? sides.faces.ofTriangle : sides.backOfTriangle)[t];
+            };
+            const bool isOthersFront = isFront == faceAlike;
+            const std::uint32_t own = sideOf(triangle, isFront), others = sideOf(other, isOthersFront);
+            if (own == kNoFace || others == kNoFace || own == others) continue;
+            if (coincident.rank(triangle, isFront) < coincident.rank(other, isOthersFront)) over[own].push_back(others);
         }
-    }
     return over;
 }
 
@@ -190,12 +176,12 @@ std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements)
 
 void Room::leaveOutCovered() {
     std::size_t kept = 0;
-    const std::vector<std::vector<std::uint32_t>> under = facesOver(sides_.faces.all, *simple_->scene);
+    const std::vector<std::vector<std::uint32_t>> over = sidesOver(sides_, *simple_->scene, world_);
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         const auto covers = [&](std::uint32_t side) {
             return holds(sides_.faces.all[side].polygon, patches_[i].centre, patches_[i].normal);
         };
-        if (inBodies_[i] > kCovered || (!under.empty() && std::ranges::any_of(under[patches_[i].face], covers))) {
+        if (inBodies_[i] > kCovered || (!over.empty() && std::ranges::any_of(over[patches_[i].face], covers))) {
             ++coveredPatches_;
             continue;
         }

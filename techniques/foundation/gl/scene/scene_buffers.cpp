@@ -1,102 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/gl/scene/scene_buffers.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/model/surface_color.h"
 #include "techniques/foundation/scene/query/facing.h"
 
 namespace shadowlab::gl {
-
-namespace {
-
-/// The triangles of a mesh, each with a last vertex that no other triangle has for its last.
-struct NumberedTriangles {
-    std::vector<std::uint32_t> copied; ///< of which vertex of the mesh each one beyond them is a copy
-    std::vector<std::int32_t>
-        numbers; ///< for each vertex, the triangle that it is the last one of; 0 where there is none
-    std::vector<uvec3> triangles;
-};
-
-NumberedTriangles numbered(const scene::Mesh& mesh) {
-    const std::size_t vertices = mesh.positionsMesh.size();
-    NumberedTriangles result{{}, std::vector<std::int32_t>(vertices, 0), mesh.triangles};
-    std::vector<bool> isTaken(vertices, false);
-    for (std::size_t t = 0; t < result.triangles.size(); ++t) {
-        std::uint32_t& last = result.triangles[t].z;
-        if (!isTaken[last]) {
-            isTaken[last] = true;
-            result.numbers[last] = static_cast<std::int32_t>(t);
-            continue;
-        }
-        result.copied.push_back(last);
-        result.numbers.push_back(static_cast<std::int32_t>(t));
-        last = static_cast<std::uint32_t>(vertices + result.copied.size() - 1);
-    }
-    return result;
-}
-
-/// The values of the mesh's vertices, then those of the copies.
-template <typename T>
-BufferHandle uploadWithCopies(std::vector<T> values, std::span<const std::uint32_t> copied) {
-    values.reserve(values.size() + copied.size());
-    for (const std::uint32_t vertex : copied)
-        values.push_back(values[vertex]);
-    return uploadBuffer(GL_ARRAY_BUFFER, values);
-}
-
-void drawTriangles(const VertexArrayHandle& array, std::uint32_t first, std::uint32_t count) {
-    glBindVertexArray(array.id());
-    const auto offset = static_cast<std::uintptr_t>(first) * sizeof(uvec3);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(offset));
-    glBindVertexArray(0);
-}
-
-} // namespace
-
-MeshBuffers::MeshBuffers(const scene::Mesh& mesh)
-    : vertexArray_(VertexArrayHandle::create()), numberedArray_(VertexArrayHandle::create()) {
-    const NumberedTriangles withNumbers = numbered(mesh);
-    positions_ = uploadWithCopies(mesh.positionsMesh, withNumbers.copied);
-    normals_ = uploadWithCopies(mesh.normalsMesh, withNumbers.copied);
-    if (!mesh.texcoords.empty()) texcoords_ = uploadWithCopies(mesh.texcoords, withNumbers.copied);
-    if (!mesh.colors.empty()) colors_ = uploadWithCopies(mesh.colors, withNumbers.copied);
-    numbers_ = uploadBuffer(GL_ARRAY_BUFFER, withNumbers.numbers);
-    glBindVertexArray(vertexArray_.id());
-    bindAttributes(mesh);
-    indices_ = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);
-    glBindVertexArray(numberedArray_.id());
-    bindAttributes(mesh);
-    glBindBuffer(GL_ARRAY_BUFFER, numbers_.id());
-    glEnableVertexAttribArray(kTriangleOfMesh);
-    glVertexAttribIPointer(kTriangleOfMesh, 1, GL_INT, 0, nullptr);
-    numberedIndices_ = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, withNumbers.triangles);
-    glBindVertexArray(0);
-}
-
-void MeshBuffers::bindAttributes(const scene::Mesh& mesh) const {
-    const auto bind = [](const BufferHandle& buffer, GLuint attribute, GLint floats) {
-        glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
-        glEnableVertexAttribArray(attribute);
-        glVertexAttribPointer(attribute, floats, GL_FLOAT, GL_FALSE, 0, nullptr);
-    };
-    bind(positions_, kPositionMesh, 3);
-    bind(normals_, kNormalMesh, 3);
-    if (!mesh.texcoords.empty()) bind(texcoords_, kTexcoordMesh, 2);
-    if (!mesh.colors.empty()) bind(colors_, kColorMesh, 3);
-}
-
-void MeshBuffers::draw(std::uint32_t firstTriangle, std::uint32_t triangleCount) const {
-    drawTriangles(vertexArray_, firstTriangle, triangleCount);
-}
-
-void MeshBuffers::drawNumbered(std::uint32_t firstTriangle, std::uint32_t triangleCount) const {
-    drawTriangles(numberedArray_, firstTriangle, triangleCount);
-}
 
 namespace {
 
@@ -129,8 +44,6 @@ void SceneBuffers::update(const scene::Snapshot& snapshot) {
         facing_.clear();
         facingOfAllLights_.reset();
     }
-    if (!snapshot_ || !scene::EmitterContacts::areThoseOf(*snapshot_, *snapshot))
-        contacts_ = scene::EmitterContacts(*snapshot);
     if (!samePlaces) bounds_ = scene::objectBounds(*snapshot);
     // The previous snapshot is kept until the end of the function, so that no new mesh has the address of an old one.
     const scene::Snapshot previous = std::exchange(snapshot_, snapshot);
@@ -150,6 +63,7 @@ void SceneBuffers::update(const scene::Snapshot& snapshot) {
     }
     updateMasks();
     updateColorImages();
+    updateSeenRuns();
 }
 
 /// Uploads the masks of the snapshot that are new. The cache key of a mask is its address; `previous` in update() keeps the
@@ -182,6 +96,29 @@ void SceneBuffers::updateColorImages() {
     for (const scene::Object& object : snapshot_->objects)
         for (std::size_t part = 0; part < object.mesh->parts.size(); ++part)
             keep(scene::colorImageOfPart(*snapshot_, object, part));
+}
+
+void SceneBuffers::updateSeenRuns() {
+    std::shared_ptr<const scene::CoincidentFaces> coincident = scene::CoincidentFaces::of(*snapshot_);
+    if (coincident == coincident_) return;
+    coincident_ = std::move(coincident);
+    // Objects of one mesh that are drawn alike share the order of its triangles: columns on a floor.
+    std::map<std::pair<const scene::Mesh*, std::vector<std::uint32_t>>, std::shared_ptr<const OrderedTriangles>> shared;
+    seenRuns_.clear();
+    const std::vector<scene::SeenSides> sides = scene::seenSides(*snapshot_, *coincident_);
+    for (std::size_t o = 0; o < snapshot_->objects.size(); ++o) {
+        const scene::Mesh& mesh = *snapshot_->objects[o].mesh;
+        const auto base = static_cast<std::uint32_t>(triangleBases_[o]);
+        std::vector<scene::SeenSides> ofObject;
+        for (auto side = std::ranges::lower_bound(sides, base, {}, &scene::SeenSides::triangle);
+             side != sides.end() && side->triangle < base + mesh.triangles.size(); ++side)
+            ofObject.push_back({side->triangle - base, side->front, side->back, side->gap});
+        if (ofObject.empty()) continue;
+        SeenRuns& runs = seenRuns_.emplace(o, gl::seenRuns(mesh, std::move(ofObject))).first->second;
+        std::shared_ptr<const OrderedTriangles>& triangles = shared[{&mesh, runs.order}];
+        if (!triangles) triangles = std::make_shared<OrderedTriangles>(mesh, *objectMeshes_[o], runs.order);
+        runs.triangles = triangles;
+    }
 }
 
 const Texture2D& SceneBuffers::colorImage(std::size_t object, std::size_t part) const {

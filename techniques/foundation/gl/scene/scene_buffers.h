@@ -7,38 +7,17 @@
 #include <unordered_map>
 #include <vector>
 
-#include "techniques/foundation/gl/handle.h"
 #include "techniques/foundation/gl/program.h"
+#include "techniques/foundation/gl/scene/mesh_buffers.h"
+#include "techniques/foundation/gl/scene/seen_runs.h"
 #include "techniques/foundation/gl/texture.h"
 #include "techniques/foundation/scene/model/scene.h"
-#include "techniques/foundation/scene/query/emitter_contacts.h"
+#include "techniques/foundation/scene/query/coincident/coincident_faces.h"
 
 namespace shadowlab::gl {
 
-/// Attribute locations of every vertex shader (shaders/attributes.glsl has the same numbers).
-enum Attribute : GLuint { kPositionMesh = 0, kNormalMesh = 1, kExtrudable = 2, kTexcoordMesh = 3, kTriangleOfMesh = 4, kColorMesh = 5 };
-
 /// A program that shades with all lights of a scene at once holds a bit for each in a word.
 constexpr std::size_t kMostLightsAtOnce = 32;
-
-/// Vertex and index buffers of one mesh.
-class MeshBuffers {
-public:
-    explicit MeshBuffers(const scene::Mesh& mesh);
-    /// Draws a run of triangles in the mesh's own order.
-    void draw(std::uint32_t firstTriangle, std::uint32_t triangleCount) const;
-    /// The same for programs that ask which triangle they draw (shaders/triangle.glsl). Positions, order and so depths are the
-    /// same, but there are more vertices: each triangle's last one is its own.
-    void drawNumbered(std::uint32_t firstTriangle, std::uint32_t triangleCount) const;
-    /// Three floats per vertex, tightly packed, the mesh's own vertices first: for drawing the very same positions with other
-    /// indices.
-    [[nodiscard]] GLuint positionBuffer() const { return positions_.id(); }
-
-private:
-    void bindAttributes(const scene::Mesh& mesh) const;
-    BufferHandle positions_, normals_, texcoords_, colors_, numbers_, indices_, numberedIndices_;
-    VertexArrayHandle vertexArray_, numberedArray_;
-};
 
 class SceneBuffers {
 public:
@@ -54,8 +33,11 @@ public:
     [[nodiscard]] const Texture2D& colorImage(std::size_t object, std::size_t part) const;
     /// Has a surface not the same colour all over?
     [[nodiscard]] bool anyOwnColors() const { return anyOwnColors_; }
-    /// Emitters that lie in another face, and so are drawn a little nearer or farther.
-    [[nodiscard]] const scene::EmitterContacts& contacts() const { return contacts_; }
+    /// Where sides of the object are left out or drawn in layers, since others coincide with them. nullptr: it is drawn as it is.
+    [[nodiscard]] const SeenRuns* seenRuns(std::size_t object) const {
+        const auto found = seenRuns_.find(object);
+        return found == seenRuns_.end() ? nullptr : &found->second;
+    }
     /// Number of triangles in the objects before this one: triangle t of it has the scene-wide index base + t.
     [[nodiscard]] int triangleBase(std::size_t object) const { return triangleBases_[object]; }
     /// Boxes around the objects (scene::objectBounds), made when the scene changes.
@@ -72,6 +54,7 @@ public:
 private:
     void updateMasks();
     void updateColorImages();
+    void updateSeenRuns();
 
     scene::Snapshot snapshot_;
     std::unordered_map<const scene::Mesh*, std::unique_ptr<MeshBuffers>> meshes_;
@@ -82,20 +65,11 @@ private:
     std::vector<bool> hasHoles_; ///< per object
     std::vector<int> triangleBases_;
     std::vector<scene::Bounds> bounds_;
-    scene::EmitterContacts contacts_;
+    std::shared_ptr<const scene::CoincidentFaces> coincident_;
+    std::map<std::size_t, SeenRuns> seenRuns_; ///< by object
     mutable std::map<int, TriangleTexture> facing_;
     mutable std::optional<TriangleTexture> facingOfAllLights_;
     Program greyed_{"fullscreen.vert", "greyed.frag"};
 };
-
-/// A static buffer holding `data`.
-template <typename T>
-BufferHandle uploadBuffer(GLenum target, const std::vector<T>& data) {
-    BufferHandle buffer = BufferHandle::create();
-    glBindBuffer(target, buffer.id());
-    glBufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), GL_STATIC_DRAW);
-    buffer.holds(static_cast<std::int64_t>(data.size() * sizeof(T)));
-    return buffer;
-}
 
 } // namespace shadowlab::gl

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/gl/scene/surfaces.h"
 
+#include <algorithm>
+
 #include "techniques/foundation/image/image.h"
 #include "techniques/foundation/scene/model/surface_color.h"
 #include "techniques/foundation/scene/query/normal_transform.h"
@@ -20,11 +22,33 @@ void setObject(const Program& program, const EyeMatrices& eye, const scene::Obje
     program.set("receivesShadow", object.receivesShadow ? 1 : 0);
 }
 
-void drawRun(const Program& program, const SceneBuffers& buffers, std::size_t index, std::uint32_t first,
+/// A run of triangles of an object, `triangles`: in the mesh's own order or in another one.
+template <typename Triangles>
+void drawRun(const Program& program, const SceneBuffers& buffers, std::size_t index, const Triangles& triangles, std::uint32_t first,
              std::uint32_t count) {
-    if (!program.reads("triangleBase")) return buffers.mesh(index).draw(first, count);
+    if (!program.reads("triangleBase")) return triangles.draw(first, count);
     program.set("triangleBase", buffers.triangleBase(index));
-    buffers.mesh(index).drawNumbered(first, count);
+    triangles.drawNumbered(first, count);
+}
+
+SeenObject seenObject(const scene::Object& object, const SeenRuns& runs, const scene::Bounds& box, const EyeMatrices& eye) {
+    const dvec3 eyeWorld = transformPoint(glm::inverse(eye.viewFromWorld), dvec3(0));
+    const double toBox = glm::distance(eyeWorld, glm::clamp(eyeWorld, box.lowerWorld, box.upperWorld));
+    const double near = eye.clipFromView[3][2] / (eye.clipFromView[2][2] - 1);
+    return {layerStep(runs.gap, std::max(toBox, near), eye.clipFromView), scene::isMirrored(object),
+            scene::isBeyondNearPlane(box, eye.clipFromView * eye.viewFromWorld)};
+}
+
+/// A part of an object, as the eye sees it where others coincide with it.
+void drawSeen(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye, std::size_t index,
+              std::size_t part) {
+    const scene::MeshPart& run = scene.objects[index].mesh->parts[part];
+    const SeenRuns* runs = buffers.seenRuns(index);
+    if (!runs) return drawRun(program, buffers, index, buffers.mesh(index), run.firstTriangle, run.triangleCount);
+    drawInLayers(runs->ofPart[part], seenObject(scene.objects[index], *runs, buffers.bounds()[index], eye),
+                 [&](std::uint32_t first, std::uint32_t count) {
+                     drawRun(program, buffers, index, *runs->triangles, first, count);
+                 });
 }
 
 vec4 placed(const scene::ImagePlacement& placement) { return vec4(dvec4(placement.scale, placement.offset)); }
@@ -38,46 +62,9 @@ void setColorMap(const Program& program, const scene::Material& material, const 
     program.set("colorPlacement", placed(material.colorPlacement));
 }
 
-// An emitter in a face is drawn nearer by so many units of the depth buffer, four times what the rounding of two planes in float makes.
-constexpr float kContactUnits = 16;
-
-/// And by this share of the depth's slope per pixel: the rasteriser moves corners to a grid within pixels, those of the emitter and of
-/// the face by up to half of its step each. Four steps are eight times half a step.
-float contactSlope() {
-    GLint subpixelBits = 0;
-    glGetIntegerv(GL_SUBPIXEL_BITS, &subpixelBits);
-    return 4.0f / static_cast<float>(1 << subpixelBits);
-}
-
-/// A part of an object, `draw()`: an emitter that lies in a face is drawn before it where it shines toward the eye, else behind it
-/// (scene/query/emitter_contacts.h).
-template <typename Draw>
-void drawInContact(const scene::Scene& scene, const SceneBuffers& buffers, std::size_t index, std::size_t part,
-                   const Draw& draw) {
-    if (!buffers.contacts().isEmitterInFace(index, part)) return draw();
+void drawPart(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
+              std::size_t index, std::size_t partIndex) {
     const scene::Object& object = scene.objects[index];
-    const scene::Material& material = scene.materials[object.partMaterials[part]];
-    const bool culls = glIsEnabled(GL_CULL_FACE);
-    const bool mirrored = scene::isMirrored(object); // what the rasteriser calls its front is then its back
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    for (const bool isFront : {true, false}) {
-        if (culls && !isFront) continue; // drawn objects whose back is culled
-        // By rank: a lamp twice as near as another emitter, and one that is dark here farther.
-        const int rank = scene::rankInContact(object, material, isFront);
-        const auto nearer = static_cast<float>(1 - rank);
-        glEnable(GL_CULL_FACE);
-        glCullFace(isFront != mirrored ? GL_BACK : GL_FRONT);
-        glPolygonOffset(nearer * contactSlope(), nearer * kContactUnits);
-        draw();
-    }
-    glDisable(GL_POLYGON_OFFSET_FILL);
-    if (!culls) glDisable(GL_CULL_FACE);
-}
-
-void drawPart(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t index,
-              std::size_t partIndex) {
-    const scene::Object& object = scene.objects[index];
-    const scene::MeshPart& part = object.mesh->parts[partIndex];
     const scene::Material& material = scene.materials[object.partMaterials[partIndex]];
     program.set("diffuse", material.diffuse);
     program.set("specular", material.specular);
@@ -99,8 +86,7 @@ void drawPart(const Program& program, const scene::Scene& scene, const SceneBuff
         program.set("frontInShadow", sideInShadow(!mirrored));
         program.set("backInShadow", sideInShadow(mirrored));
     }
-    drawInContact(scene, buffers, index, partIndex,
-                  [&] { drawRun(program, buffers, index, part.firstTriangle, part.triangleCount); });
+    drawSeen(program, scene, buffers, eye, index, partIndex);
 }
 
 /// The variant of a program that cuts holes, in use, with this mask of a part.
@@ -131,14 +117,14 @@ void drawIfSeen(const scene::Scene& scene, const SceneBuffers& buffers, const Ey
     glDisable(GL_CULL_FACE);
 }
 
-void drawPartDepth(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t object,
-                   std::size_t part, const dmat4& clipFromMesh) {
+/// The program that draws the depth of a part, in use.
+const Program& useForDepth(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t object,
+                           std::size_t part, const dmat4& clipFromMesh) {
     const Texture2D* mask = buffers.mask(object, part);
     const Program& chosen = mask ? useAlphaTested(program, scene, object, part, *mask) : program;
     chosen.use();
     chosen.set("clipFromMesh", mat4(clipFromMesh));
-    const scene::MeshPart& run = scene.objects[object].mesh->parts[part];
-    drawRun(chosen, buffers, object, run.firstTriangle, run.triangleCount);
+    return chosen;
 }
 
 } // namespace
@@ -159,7 +145,7 @@ void drawSurface(const Program& program, const scene::Scene& scene, const SceneB
     drawIfSeen(scene, buffers, eye, object, setup, [&] {
         setObject(program, eye, scene.objects[object]);
         for (std::size_t part = 0; part < scene.objects[object].mesh->parts.size(); ++part)
-            drawPart(program, scene, buffers, object, part);
+            drawPart(program, scene, buffers, eye, object, part);
     });
 }
 
@@ -172,12 +158,12 @@ void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, co
         for (std::size_t part = 0; part < scene.objects[i].mesh->parts.size(); ++part) {
             const Texture2D* mask = buffers.mask(i, part);
             if (!mask) {
-                drawPart(program, scene, buffers, i, part);
+                drawPart(program, scene, buffers, eye, i, part);
                 continue;
             }
             const Program& alphaTested = useAlphaTested(program, scene, i, part, *mask);
             setObject(alphaTested, eye, scene.objects[i]);
-            drawPart(alphaTested, scene, buffers, i, part);
+            drawPart(alphaTested, scene, buffers, eye, i, part);
             program.use();
         }
     };
@@ -191,9 +177,19 @@ void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuf
     program.use();
     program.set("clipFromMesh", mat4(clipFromMesh));
     if (!buffers.hasHoles(object))
-        return drawRun(program, buffers, object, 0, static_cast<std::uint32_t>(mesh.triangles.size()));
+        return drawRun(program, buffers, object, buffers.mesh(object), 0, static_cast<std::uint32_t>(mesh.triangles.size()));
     for (std::size_t part = 0; part < mesh.parts.size(); ++part)
-        drawPartDepth(program, scene, buffers, object, part, clipFromMesh);
+        drawRun(useForDepth(program, scene, buffers, object, part, clipFromMesh), buffers, object, buffers.mesh(object),
+                mesh.parts[part].firstTriangle, mesh.parts[part].triangleCount);
+}
+
+void drawTriangles(const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye, std::size_t object, std::uint32_t first,
+                   std::uint32_t count) {
+    const auto draw = [&](std::uint32_t from, std::uint32_t many) { buffers.mesh(object).draw(from, many); };
+    if (const SeenRuns* runs = buffers.seenRuns(object))
+        drawInLayers(*runs, first, count, seenObject(scene.objects[object], *runs, buffers.bounds()[object], eye), draw);
+    else
+        draw(first, count);
 }
 
 vec3 finished(const vec3& radiance, float exposure) {
@@ -221,11 +217,9 @@ void drawSurfaceDepth(const Program& positionOnly, const scene::Scene& scene, co
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         drawIfSeen(scene, buffers, eye, i, {}, [&] {
             const dmat4 clipFromMesh = eye.clipFromMesh(scene.objects[i]);
-            if (!buffers.contacts().hasEmitterInFace(i))
-                return drawDepth(positionOnly, scene, buffers, i, clipFromMesh);
+            if (!buffers.seenRuns(i)) return drawDepth(positionOnly, scene, buffers, i, clipFromMesh);
             for (std::size_t part = 0; part < scene.objects[i].mesh->parts.size(); ++part)
-                drawInContact(scene, buffers, i, part,
-                              [&] { drawPartDepth(positionOnly, scene, buffers, i, part, clipFromMesh); });
+                drawSeen(useForDepth(positionOnly, scene, buffers, i, part, clipFromMesh), scene, buffers, eye, i, part);
         });
 }
 

@@ -54,6 +54,11 @@ void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, co
 void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t object,
                const dmat4& clipFromMesh);
 
+/// Draws a run of triangles of an object, as the mesh counts them, with the depths that the passes above give them: for a technique
+/// that has set up a program of its own, and compares depths.
+void drawTriangles(const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye, std::size_t object, std::uint32_t first,
+                   std::uint32_t count);
+
 /// What shaders/shade_light.frag writes.
 enum class ShadedAs {
     radiance,            ///< to be added to the target

@@ -30,6 +30,8 @@ struct Mesh {
     std::vector<vec3> colors;           ///< linear RGB, one per vertex; empty: the file has none
     std::vector<uvec3> triangles;       ///< vertex indices, counter-clockwise seen from the front
     std::vector<MeshPart> parts;        ///< in order, covering all triangles
+    /// For each triangle its place in the file, where sorting by parts has changed the order; empty: they stand as the file has them.
+    std::vector<std::uint32_t> fileOrder;
     std::uint32_t droppedTriangles = 0; ///< degenerate triangles of the source that were left out
     bool outward = false; ///< from outside, every back face is hidden by a front face (outward_parts.h); else not known
 };

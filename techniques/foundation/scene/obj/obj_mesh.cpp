@@ -16,7 +16,8 @@ namespace {
 struct CornerTriangle {
     std::array<std::uint32_t, 3> corners; ///< indices into ObjFaces::corners
     std::uint32_t material, group;
-    bool hasTexcoords; ///< at all three corners
+    bool hasTexcoords;   ///< at all three corners
+    std::uint32_t place; ///< among the triangles of the file
 };
 
 /// Box of the positions that faces use: an unused vertex far away must not determine the origin.
@@ -75,7 +76,8 @@ std::vector<CornerTriangle> split(const ObjScan& scan, const ObjFaces& faces, co
                 result.push_back(
                     {corners, faces.materialOf[face], groupOf(scan, face), std::ranges::all_of(corners, [&](std::uint32_t corner) {
                          return hasTexcoord(scan, faces.corners[corner]);
-                     })});
+                     }),
+                     static_cast<std::uint32_t>(result.size())});
         }
     }
     return result;
@@ -155,6 +157,9 @@ Mesh buildMesh(const ObjScan& scan, const ObjFaces& faces) {
         }
         mesh.triangles.push_back(vertices);
     }
+    if (!std::ranges::is_sorted(triangles, {}, &CornerTriangle::place))
+        for (const CornerTriangle& triangle : triangles)
+            mesh.fileOrder.push_back(triangle.place);
     mesh.positionsMesh = welder.of(&Vertex::position);
     mesh.normalsMesh = welder.of(&Vertex::normal);
     if (std::ranges::any_of(mesh.parts, &MeshPart::hasTexcoords)) mesh.texcoords = welder.of(&Vertex::texcoord);

@@ -154,7 +154,7 @@ bool AreaVisibility::Asker::lookFrom(const SurfacePoint& point, double move) {
 int AreaVisibility::Asker::turnAt(const SurfaceEdges::Edge& edge) const {
     int turn = 0;
     for (const SurfaceEdges::Use& use : owner_.edges_.uses(edge)) {
-        if (!owner_.casts_[use.primitive] || use.primitive == point_.primitive) continue;
+        if (!owner_.casts_[use.primitive] || isLeft(use.primitive)) continue;
         const double height = heightOver(bvh_.triangles[use.primitive]);
         turn += height > 0 ? use.direction : height < 0 ? -use.direction : 0;
     }
@@ -227,7 +227,7 @@ void AreaVisibility::Asker::mindWhatIsNear(const dvec3& up) {
     around.grow(nearness(move_, farthestOnLight()));
     for (const std::uint32_t primitive : near_) {
         const Triangle& triangle = bvh_.triangles[primitive];
-        if (primitive == point_.primitive || !boxOf(triangle).touches(around)) continue;
+        if (isLeft(primitive) || !boxOf(triangle).touches(around)) continue;
         const double level = glm::dot(up, positionCentred_);
         const double rounding = kCertain * glm::length(up) * farthestOnLight();
         const bool below = glm::dot(up, triangle.a) <= level + rounding &&
@@ -241,7 +241,7 @@ double AreaVisibility::Asker::farthestOnLight() const { return glm::length(seen_
 /// A triangle that the light's plane, or the contact at the point, cuts ends there too.
 void AreaVisibility::Asker::addCrossings() {
     for (const std::uint32_t primitive : near_) {
-        if (primitive == point_.primitive) continue;
+        if (isLeft(primitive)) continue;
         const Triangle& triangle = bvh_.triangles[primitive];
         const double height = -heightOver(triangle);
         const dvec3 depth = seen_.product(height < 0 ? -normalOf(triangle) : normalOf(triangle));
@@ -268,7 +268,7 @@ bool AreaVisibility::Asker::isFree(dvec2 place, bool perforated) {
     const Ray ray{positionCentred_, seen_.toward(place), kContact, 1 - kContact};
     if (!isUsable(ray)) return true;
     const auto accept = [&](std::uint32_t primitive) {
-        return owner_.casts_[primitive] && primitive != point_.primitive &&
+        return owner_.casts_[primitive] && !isLeft(primitive) &&
                (!perforated_ || owner_.tracer_.mayHaveHoles(primitive) == perforated);
     };
     // The triangle that covered the last piece often covers this one, so it is tested first.
@@ -295,7 +295,7 @@ AreaVisibility::Asker::Seen AreaVisibility::Asker::sampledSeenOf(const LightPiec
                owner_.tracer_.isInHole({primitive, false, dvec2(barycentric)});
     };
     const auto accept = [&](std::uint32_t primitive) {
-        return owner_.casts_[primitive] && primitive != point_.primitive;
+        return owner_.casts_[primitive] && !isLeft(primitive);
     };
     const dvec3 lightNormal = glm::cross(seen_.axisU, seen_.axisV);
     double free = 0, all = 0, freeIrradiance = 0, allIrradiance = 0;

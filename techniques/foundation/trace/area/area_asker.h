@@ -23,6 +23,7 @@ private:
         double area = 0, irradiance = 0;
     };
     bool lookFrom(const SurfacePoint& point, double move);
+    [[nodiscard]] bool isLeft(std::uint32_t primitive) const { return owner_.tracer_.isLeft(point_.primitive, primitive); }
     void findEdges(const CentredBox& box, const std::vector<std::uint32_t>& candidates);
     void addEdges();
     void addCrossings();

@@ -85,7 +85,7 @@ ExactVisibility::ExactVisibility(scene::Snapshot snapshot) : snapshot_(std::move
     }
     for (const scene::Light& light : snapshot_->lights)
         facing_.push_back(scene::facingSigns(*snapshot_, light));
-    contacts_ = scene::EmitterContacts(*snapshot_);
+    coincident_ = scene::CoincidentFaces(*snapshot_);
 }
 
 template <typename OnHit>
@@ -106,18 +106,17 @@ std::optional<EyeHit> ExactVisibility::eyeHit(const scene::Camera& camera, dvec2
     const dvec3 forward = glm::normalize(camera.targetWorld - camera.positionWorld);
     const double nearest = camera.near / glm::dot(direction, forward);
     std::optional<EyeHit> best;
-    std::vector<EyeHit> inContact;
+    std::vector<EyeHit> coincident;
     forEachHit(camera.positionWorld, direction, kInfinity,
                [&](std::uint32_t object, std::uint32_t triangle, const RayTriangle& hit) {
                    if (!(hit.distance > nearest) || passes(object, triangle, hit.barycentric)) return false;
                    const EyeHit found{object, triangle, hit.distance, {}, {}, hit.barycentric};
                    if (!best || hit.distance < best->distance) best = found;
-                   if (contacts_.touches(firstTriangle_[object] + triangle)) inContact.push_back(found);
+                   if (coincident_.touches(firstTriangle_[object] + triangle)) coincident.push_back(found);
                    return false;
                });
     if (!best) return std::nullopt;
-    if (contacts_.touches(firstTriangle_[best->object] + best->triangle))
-        best = seenInContact(*best, inContact, direction);
+    if (coincident_.touches(firstTriangle_[best->object] + best->triangle)) best = seenAmong(*best, coincident, direction);
     const Triangle& t = triangles_[firstTriangle_[best->object] + best->triangle];
     best->positionWorld = camera.positionWorld + best->distance * direction;
     best->geometricNormalWorld = glm::normalize(glm::cross(t.b - t.a, t.c - t.a));
@@ -125,21 +124,17 @@ std::optional<EyeHit> ExactVisibility::eyeHit(const scene::Camera& camera, dvec2
     return best;
 }
 
-EyeHit ExactVisibility::seenInContact(const EyeHit& nearest, std::span<const EyeHit> inContact,
-                                      const dvec3& direction) const {
+EyeHit ExactVisibility::seenAmong(const EyeHit& nearest, std::span<const EyeHit> coincident, const dvec3& direction) const {
     const auto numberOf = [&](const EyeHit& hit) { return firstTriangle_[hit.object] + hit.triangle; };
-    const std::vector<std::uint32_t> others = contacts_.of(numberOf(nearest));
-    std::vector<scene::SeenTriangle> together;
-    for (const EyeHit& hit : inContact) {
-        const std::uint32_t number = numberOf(hit);
-        if (number != numberOf(nearest) && std::ranges::find(others, number) == others.end()) continue;
-        const scene::Object& object = snapshot_->objects[hit.object];
-        const scene::Material& material = scene::materialOfTriangle(*snapshot_, object, hit.triangle);
-        const Triangle& t = triangles_[number];
-        const bool isFront = (glm::dot(glm::cross(t.b - t.a, t.c - t.a), direction) < 0) != scene::isMirrored(object);
-        together.push_back({number, scene::rankInContact(object, material, isFront)});
-    }
-    return *std::ranges::find(inContact, scene::seenOf(together), numberOf);
+    const auto rankOf = [&](const EyeHit& hit) {
+        const Triangle& t = triangles_[numberOf(hit)];
+        const bool isFront = (glm::dot(glm::cross(t.b - t.a, t.c - t.a), direction) < 0) != scene::isMirrored(snapshot_->objects[hit.object]);
+        return coincident_.rank(numberOf(hit), isFront);
+    };
+    EyeHit seen = nearest;
+    for (const EyeHit& hit : coincident)
+        if (coincident_.areTogether(numberOf(nearest), numberOf(hit)) && rankOf(seen) < rankOf(hit)) seen = hit;
+    return seen;
 }
 
 Visibility ExactVisibility::visibility(const EyeHit& hit, const scene::Camera& camera, int light) const {
@@ -195,9 +190,11 @@ void ExactVisibility::forEachBlocker(const EyeHit& hit, int light, const OnBlock
     const double contact = kTouching * (directional ? 1e-2 * (1.0 + glm::length(hit.positionWorld)) : length);
     forEachHit(hit.positionWorld, toward, length,
                [&](std::uint32_t object, std::uint32_t triangle, const RayTriangle& crossing) {
-                   const bool itself = object == hit.object && triangle == hit.triangle;
+                   // What lies in the triangle's own plane, but for rounding, does not stand in the light's way either.
+                   const std::uint32_t own = firstTriangle_[hit.object] + hit.triangle, other = firstTriangle_[object] + triangle;
+                   const bool itself = other == own || coincident_.areTogether(own, other);
                    // A triangle whose plane holds the light is only ever touched, at the light itself, never crossed.
-                   const bool edgeOn = facing[firstTriangle_[object] + triangle] == 0;
+                   const bool edgeOn = facing[other] == 0;
                    const bool between = crossing.distance > contact && crossing.distance < length;
                    return !itself && !edgeOn && between && snapshot_->objects[object].castsShadow &&
                           onBlocker(object, triangle, crossing.barycentric);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "techniques/foundation/scene/model/scene.h"
-#include "techniques/foundation/scene/query/emitter_contacts.h"
+#include "techniques/foundation/scene/query/coincident/coincident_faces.h"
 
 namespace shadowlab::trace {
 
@@ -31,8 +31,8 @@ public:
     explicit ExactVisibility(scene::Snapshot snapshot);
 
     /// The nearest triangle beyond the near plane on the ray through a point of the picture ((x + 0.5, y + 0.5) is the
-    /// centre of pixel (x, y), rows from the top); of triangles at one distance the first wins, but for
-    /// emitters that lie in a face (scene/query/emitter_contacts.h).
+    /// centre of pixel (x, y), rows from the top); of triangles at one distance the first wins, but where faces
+    /// coincide (scene/query/coincident/coincident_faces.h).
     [[nodiscard]] std::optional<EyeHit> eyeHit(const scene::Camera& camera, dvec2 pixel, ivec2 size) const;
 
     /// Visibility of the light's centre at a hit. Never noSurface. `receivesShadow: false` and the gates of facing,
@@ -62,8 +62,7 @@ private:
     void forEachBlocker(const EyeHit& hit, int light, const OnBlocker& onBlocker) const;
 
     /// What is seen where the nearest hit shares its place with others.
-    [[nodiscard]] EyeHit seenInContact(const EyeHit& nearest, std::span<const EyeHit> inContact,
-                                       const dvec3& direction) const;
+    [[nodiscard]] EyeHit seenAmong(const EyeHit& nearest, std::span<const EyeHit> coincident, const dvec3& direction) const;
     [[nodiscard]] bool passes(std::uint32_t object, std::uint32_t triangle, const dvec3& barycentric) const;
 
     scene::Snapshot snapshot_;
@@ -72,7 +71,7 @@ private:
     std::vector<bool> hasHoles_;               ///< per object
     std::vector<Run> runs_;
     std::vector<std::vector<std::int8_t>> facing_; ///< per light, all triangles
-    scene::EmitterContacts contacts_;
+    scene::CoincidentFaces coincident_;
 };
 
 } // namespace shadowlab::trace

@@ -94,18 +94,20 @@ void SceneTracer::eyePoints(const EyeRays& rays, ivec2 corner, ivec2 blockSize, 
 
 void SceneTracer::eyePointsOn(std::span<const std::uint32_t> primitives, const EyeRays& rays, ivec2 corner,
                               ivec2 blockSize, dvec2 within, std::span<SurfacePoint> points) const {
+    const bool eyeIsWithin = coincident_->isWithinBody(rays.eyeCentred() + world().originWorld);
+    const bool othersMayBeSeen = eyeIsWithin || coincident_->mayAnyShowAnother();
     for (int y = 0; y < blockSize.y; y += kBlock)
         for (int x = 0; x < blockSize.x; x += kBlock) {
             const ivec2 size = glm::min(ivec2(kBlock), blockSize - ivec2(x, y));
             const auto first = static_cast<std::size_t>(y * blockSize.x + x);
             eyeBlock(rays, corner + ivec2(x, y), size, within, primitives.empty() ? nullptr : &primitives[first],
                      &points[first], blockSize.x);
-            if (contacts_.isEmpty()) continue;
-            // Where an emitter lies in a face, the nearest is not always what is seen.
+            if (!othersMayBeSeen) continue;
+            // Where faces coincide, the nearest is not always what is seen.
             for (int row = 0; row < size.y; ++row)
                 for (int column = 0; column < size.x; ++column) {
                     SurfacePoint& point = points[first + static_cast<std::size_t>(row * blockSize.x + column)];
-                    if (point && contacts_.touches(point.primitive))
+                    if (point && mayShowAnother(point, eyeIsWithin))
                         point = eyePoint(rays, dvec2(corner + ivec2(x + column, y + row)) + within);
                 }
         }
@@ -216,7 +218,11 @@ void SceneTracer::shadowBlock(std::span<const SurfacePoint> points, int light, s
         const bool faces = (gates & (point.eyeOnFront ? facesFront : facesBack)) &&
                            (everywhere || scene::lightShinesTo(source, positionWorld(point)));
         answers[i] = faces ? Visibility::lit : Visibility::turnedAway;
-        if (faces && (gates & receives)) wanted |= bit(i);
+        if (!faces || !(gates & receives)) continue;
+        if (coincidentWith(point.primitive))
+            answers[i] = visibility(point, light); // more than its own triangle is left out
+        else
+            wanted |= bit(i);
     }
     if (engine_ || (wanted && !patienceOfShadowRays.isWorthTrying()))
         forEachBit(wanted, [&](std::size_t i) { answers[i] = visibility(points[i], light); });

@@ -27,7 +27,7 @@ void forgive(const RTCFilterFunctionNArguments* arguments) {
 }
 
 FilteredQuery::FilteredQuery(const MayHit& which) : mayHit(&which) {
-    const bool any = which.except == kNoPrimitive && which.flags == nullptr && which.holes == nullptr;
+    const bool any = which.except == kNoPrimitive && which.only == nullptr && which.flags == nullptr && which.holes == nullptr;
     if (!any) askFilter(forgive);
 }
 

@@ -7,11 +7,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "techniques/foundation/scene/query/coincident/coincident_faces.h"
 #include "techniques/foundation/trace/bvh/bvh.h"
 #include "techniques/foundation/trace/world_triangles.h"
 
@@ -20,10 +22,14 @@ namespace shadowlab::trace {
 /// Which triangles a ray may hit; by default all, as a whole.
 struct MayHit {
     std::uint32_t except = kNoPrimitive; ///< not this one
+    /// none, or: neither what lies in one plane with `except`, but for rounding (scene/query/coincident/coincident_faces.h)
+    const scene::CoincidentFaces* coincident = nullptr;
+    const std::function<bool(std::uint32_t)>* only = nullptr; ///< none: all; else those for which it says true
     const std::uint8_t* flags = nullptr; ///< none: all; else only those with a flag that is not 0
     const Holes* holes = nullptr;        ///< none: no triangle has holes
     bool operator()(std::uint32_t primitive) const {
-        return primitive != except && (flags == nullptr || flags[primitive] != 0);
+        return primitive != except && (flags == nullptr || flags[primitive] != 0) &&
+               (coincident == nullptr || !coincident->areTogether(except, primitive)) && (only == nullptr || (*only)(primitive));
     }
     [[nodiscard]] bool inHole(std::uint32_t primitive, const dvec3& barycentric) const {
         return holes != nullptr && (*holes)(primitive, barycentric);

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/gl/scene/mesh_buffers.h"
+
+#include <span>
+
+namespace shadowlab::gl {
+
+namespace {
+
+/// The triangles of a mesh, each with a last vertex that no other triangle has for its last.
+struct NumberedTriangles {
+    std::vector<std::uint32_t> copied; ///< of which vertex of the mesh each one beyond them is a copy
+    std::vector<std::int32_t>
+        numbers; ///< for each vertex, the triangle that it is the last one of; 0 where there is none
+    std::vector<uvec3> triangles;
+};
+
+NumberedTriangles numbered(const scene::Mesh& mesh) {
+    const std::size_t vertices = mesh.positionsMesh.size();
+    NumberedTriangles result{{}, std::vector<std::int32_t>(vertices, 0), mesh.triangles};
+    std::vector<bool> isTaken(vertices, false);
+    for (std::size_t t = 0; t < result.triangles.size(); ++t) {
+        std::uint32_t& last = result.triangles[t].z;
+        if (!isTaken[last]) {
+            isTaken[last] = true;
+            result.numbers[last] = static_cast<std::int32_t>(t);
+            continue;
+        }
+        result.copied.push_back(last);
+        result.numbers.push_back(static_cast<std::int32_t>(t));
+        last = static_cast<std::uint32_t>(vertices + result.copied.size() - 1);
+    }
+    return result;
+}
+
+/// The values of the mesh's vertices, then those of the copies.
+template <typename T>
+BufferHandle uploadWithCopies(std::vector<T> values, std::span<const std::uint32_t> copied) {
+    values.reserve(values.size() + copied.size());
+    for (const std::uint32_t vertex : copied)
+        values.push_back(values[vertex]);
+    return uploadBuffer(GL_ARRAY_BUFFER, values);
+}
+
+void drawTriangles(const VertexArrayHandle& array, std::uint32_t first, std::uint32_t count) {
+    glBindVertexArray(array.id());
+    const auto offset = static_cast<std::uintptr_t>(first) * sizeof(uvec3);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(offset));
+    glBindVertexArray(0);
+}
+
+} // namespace
+
+MeshBuffers::MeshBuffers(const scene::Mesh& mesh)
+    : vertexArray_(VertexArrayHandle::create()), numberedArray_(VertexArrayHandle::create()) {
+    const NumberedTriangles withNumbers = numbered(mesh);
+    positions_ = uploadWithCopies(mesh.positionsMesh, withNumbers.copied);
+    normals_ = uploadWithCopies(mesh.normalsMesh, withNumbers.copied);
+    if (!mesh.texcoords.empty()) texcoords_ = uploadWithCopies(mesh.texcoords, withNumbers.copied);
+    if (!mesh.colors.empty()) colors_ = uploadWithCopies(mesh.colors, withNumbers.copied);
+    numbers_ = uploadBuffer(GL_ARRAY_BUFFER, withNumbers.numbers);
+    glBindVertexArray(vertexArray_.id());
+    bindAttributes(mesh);
+    indices_ = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);
+    glBindVertexArray(numberedArray_.id());
+    bindAttributes(mesh);
+    bindNumbers();
+    numberedIndices_ = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, withNumbers.triangles);
+    glBindVertexArray(0);
+}
+
+void MeshBuffers::bindAttributes(const scene::Mesh& mesh) const {
+    const auto bind = [](const BufferHandle& buffer, GLuint attribute, GLint floats) {
+        glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
+        glEnableVertexAttribArray(attribute);
+        glVertexAttribPointer(attribute, floats, GL_FLOAT, GL_FALSE, 0, nullptr);
+    };
+    bind(positions_, kPositionMesh, 3);
+    bind(normals_, kNormalMesh, 3);
+    if (!mesh.texcoords.empty()) bind(texcoords_, kTexcoordMesh, 2);
+    if (!mesh.colors.empty()) bind(colors_, kColorMesh, 3);
+}
+
+void MeshBuffers::bindNumbers() const {
+    glBindBuffer(GL_ARRAY_BUFFER, numbers_.id());
+    glEnableVertexAttribArray(kTriangleOfMesh);
+    glVertexAttribIPointer(kTriangleOfMesh, 1, GL_INT, 0, nullptr);
+}
+
+void MeshBuffers::draw(std::uint32_t firstTriangle, std::uint32_t triangleCount) const {
+    drawTriangles(vertexArray_, firstTriangle, triangleCount);
+}
+
+void MeshBuffers::drawNumbered(std::uint32_t firstTriangle, std::uint32_t triangleCount) const {
+    drawTriangles(numberedArray_, firstTriangle, triangleCount);
+}
+
+OrderedTriangles::OrderedTriangles(const scene::Mesh& mesh, const MeshBuffers& buffers, const std::vector<std::uint32_t>& order)
+    : vertexArray_(VertexArrayHandle::create()), numberedArray_(VertexArrayHandle::create()) {
+    const auto ordered = [&](const std::vector<uvec3>& triangles) {
+        std::vector<uvec3> result;
+        result.reserve(order.size());
+        for (const std::uint32_t triangle : order)
+            result.push_back(triangles[triangle]);
+        return result;
+    };
+    glBindVertexArray(vertexArray_.id());
+    buffers.bindAttributes(mesh);
+    indices_ = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, ordered(mesh.triangles));
+    glBindVertexArray(numberedArray_.id());
+    buffers.bindAttributes(mesh);
+    buffers.bindNumbers();
+    numberedIndices_ = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, ordered(numbered(mesh).triangles));
+    glBindVertexArray(0);
+}
+
+void OrderedTriangles::draw(std::uint32_t first, std::uint32_t count) const { drawTriangles(vertexArray_, first, count); }
+
+void OrderedTriangles::drawNumbered(std::uint32_t first, std::uint32_t count) const { drawTriangles(numberedArray_, first, count); }
+
+} // namespace shadowlab::gl
