@@ -54,7 +54,7 @@ std::vector<dvec3> square(double half, bool facesUp) {
 std::size_t pairsOf(const Scene& scene) { return CoincidentFaces(scene).pairs().size() / 2; }
 
 TEST(CoincidentPairsTest, ShareAPlaneAndMoreThanAnEdge) {
-    EXPECT_EQ(pairsOf(simpleScene()), 4u) << "the box's bottom of two triangles on the floor's two";
+    EXPECT_EQ(pairsOf(simpleScene()), 2u) << "of the box's bottom, all in one of the floor's triangles";
     Scene scene = empty();
     addObject(scene, triangleSoup(square(1, true)));
     EXPECT_EQ(pairsOf(scene), 0u) << "two halves of a square share an edge alone";
@@ -63,11 +63,11 @@ TEST(CoincidentPairsTest, ShareAPlaneAndMoreThanAnEdge) {
     addObject(scene, triangleSoup(square(1, true)), translation({0, 1e-4, 0}));
     EXPECT_EQ(pairsOf(scene), 0u) << "a tenth of a millimetre above";
     addObject(scene, triangleSoup(square(0.25, false)));
-    EXPECT_EQ(pairsOf(scene), 4u) << "one within, on the diagonal";
+    EXPECT_EQ(pairsOf(scene), 2u) << "one within, cut along the same diagonal";
     const dmat4 turned = glm::rotate(translation({1e5, 0, 1e5}), 0.7, dvec3(1, 2, 3));
     for (Object& object : scene.objects)
         object.worldFromObject = turned * object.worldFromObject;
-    EXPECT_EQ(pairsOf(scene), 4u) << "turned, and far from the origin";
+    EXPECT_EQ(pairsOf(scene), 2u) << "turned, and far from the origin";
 }
 
 TEST(CoincidentPairsTest, AFineCurvedMeshHasNone) {
@@ -82,7 +82,7 @@ TEST(CoincidentPairsTest, AreFoundAgainOnlyWhereSomethingHasMoved) {
     addObject(scene, triangleSoup(square(1, true)));
     addObject(scene, triangleSoup(square(0.5, true)));
     const CoincidentFaces before(scene);
-    ASSERT_EQ(before.pairs().size(), 8u);
+    ASSERT_EQ(before.pairs().size(), 4u) << "two pairs, in both orders";
     EXPECT_TRUE(std::ranges::equal(CoincidentFaces(scene, &before).pairs(), before.pairs()));
     scene.objects[1].worldFromObject = translation({0, 1, 0});
     EXPECT_TRUE(CoincidentFaces(scene, &before).isEmpty());
