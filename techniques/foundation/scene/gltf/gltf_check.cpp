@@ -39,7 +39,7 @@ public:
     std::string run() {
         const JsonValue& root = document_.root();
         const Place top{};
-        if (root.kind != Kind::object) document_.fail(root.offset, "is " + std::string(describe(root.kind)) + ", and no glTF file");
+        if (root.kind != Kind::object) document_.fail(root.offset, "is " + std::string(describe(root.kind)) + ", and no glTF file; export the model as glTF 2.0");
         checkVersion(root);
         checkRequiredExtensions(root);
         writeObject(root, gltfSchema(), top);
@@ -215,7 +215,8 @@ private:
             if (rest.substr(0, end) == text) return;
             rest.remove_prefix(std::min(end + 1, rest.size()));
         }
-        fail(value, place, "is " + inQuotes(text) + "; it must be one of " + listOf(allowed));
+        fail(value, place, "is " + (value.kind == Kind::string ? inQuotes(text) : std::string(text)) + "; it must be one of " +
+                               listOf(allowed));
     }
 
     void writeReference(const JsonValue& value, std::string_view array, const Place& place) {

@@ -19,6 +19,9 @@ public:
         kinds_[entry->second].count += times;
     }
 
+    /// What came up first, as part of a sentence; empty: nothing.
+    [[nodiscard]] std::string first() const { return kinds_.empty() ? "" : kinds_.front().where + ": " + kinds_.front().what; }
+
     /// In the order in which they first came up.
     void appendTo(std::vector<std::string>& notes, const JsonDocument& document) const {
         for (const Kind& kind : kinds_)

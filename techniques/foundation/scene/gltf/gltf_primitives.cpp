@@ -99,8 +99,8 @@ std::size_t GltfPrimitive::vertexAt(std::uint64_t corner) const {
     const auto vertex = static_cast<std::size_t>(indices_->at(corner, 0));
     if (vertex >= positions_->count())
         fail("has the index " + std::to_string(vertex) + " (number " + std::to_string(corner) + " of accessors[" +
-             std::to_string(given(*parts_, mesh_, primitive_).indices) + "]), but only " + counted(positions_->count(), "vertex") +
-             ", counted from 0; export the model again");
+             std::to_string(given(*parts_, mesh_, primitive_).indices) + "]), but its POSITION has only " +
+             std::to_string(positions_->count()) + ", counted from 0; export the model again");
     return vertex;
 }
 
@@ -118,7 +118,8 @@ dvec3 GltfPrimitive::position(std::size_t vertex) const {
     const double limit = Limits{}.coordinate;
     if (!(size.x <= limit && size.y <= limit && size.z <= limit))
         fail("has the position " + numberText(position.x) + " " + numberText(position.y) + " " + numberText(position.z) + " (number " +
-             std::to_string(vertex) + " of its POSITION); coordinates must be numbers up to " + numberText(limit));
+             std::to_string(vertex) + " of its POSITION); coordinates must be numbers up to " + numberText(limit) +
+             ": export the model again");
     return position;
 }
 

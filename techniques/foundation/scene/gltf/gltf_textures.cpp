@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/gltf/gltf_uris.h"
@@ -106,6 +107,7 @@ ImagePlacement GltfTextures::placementOf(int texture, const tinygltf::ExtensionM
     // left is offset + scale (1 - v), counted from the lower edge.
     placement.scale = scale;
     placement.offset = {offset.x, 1.0 - offset.y - scale.y};
+    if (!placement.clamped) placement.offset.y -= std::floor(placement.offset.y); // whole repetitions are the same
     return placement;
 }
 

@@ -159,7 +159,8 @@ GltfFile parseGltf(std::string bytes, const std::filesystem::path& file, NormalM
     const GltfParts parts{source, model, buffers, materials};
     GltfReader(parts, nodes, options).readObjects(mode, gltf);
     if (gltf.objects.empty())
-        document.fail(0, "has no triangles to show; is it a file of animations, points or lines alone? Export meshes with it");
+        document.fail(0, "has no triangles to show" + (source.notes().first().empty() ? "" : " (" + source.notes().first() + ")") +
+                             "; export a model with surfaces");
     gltf.lights = gltfLights(source, model, nodes);
     if (gltf.lights.size() > options.limits.lights)
         document.fail(0, "has " + counted(gltf.lights.size(), "light") + ", more than the limit of " + std::to_string(options.limits.lights) +

@@ -34,4 +34,10 @@ Snapshot atTime(const Snapshot& atRest, double seconds) {
     return moved;
 }
 
+Snapshot seenFrom(const Snapshot& snapshot, const Viewpoint& viewpoint) {
+    const auto scene = std::make_shared<Scene>(*snapshot);
+    scene->camera = viewpoint.camera;
+    return scene;
+}
+
 } // namespace shadowlab::scene
