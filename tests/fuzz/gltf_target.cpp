@@ -28,7 +28,8 @@ void requireSoundFile(const scene::GltfFile& file) {
             require(std::max({triangle.x, triangle.y, triangle.z}) < object.mesh->positionsMesh.size(), "triangles name vertices");
     }
     for (const scene::Material& material : file.materials) {
-        require(std::isfinite(material.diffuse.x + material.specular.x + material.emission.x + material.shininess), "materials are numbers");
+        require(std::isfinite(material.diffuse.x + material.specular.x + material.emission.x + material.shininess),
+                "materials are numbers");
         require(material.reflectivity >= 0 && material.transparency >= 0 && material.reflectivity + material.transparency <= 1 + 1e-6,
                 "no surface sends on more light than it gets"); // but for rounding of float
     }
@@ -38,12 +39,14 @@ void requireSoundFile(const scene::GltfFile& file) {
         require(scene::hasView(viewpoint.camera), "cameras have a view");
 }
 
-/// Volumes and rays take some hundred times as long as reading: they are made of one file in this many, chosen by its bytes.
+/// A stage, volumes and rays take far longer than reading: they are made of one file in this many, chosen by its bytes.
 constexpr unsigned kUsedOneIn = 64;
 
 bool isUsed(std::string_view bytes) {
-    return std::accumulate(bytes.begin(), bytes.end(), 0u, [](unsigned sum, char c) { return 31 * sum + static_cast<unsigned char>(c); }) %
-               kUsedOneIn == 0;
+    return std::accumulate(bytes.begin(), bytes.end(), 0u,
+                           [](unsigned sum, char c) { return 31 * sum + static_cast<unsigned char>(c); }) %
+               kUsedOneIn ==
+           0;
 }
 
 } // namespace
@@ -55,8 +58,7 @@ Outcome feed(std::string_view bytes) {
         constexpr std::array kModes{scene::NormalMode::file, scene::NormalMode::flat, scene::NormalMode::smooth};
         scene::GltfFile gltf = scene::parseGltf(std::string(bytes), file, kModes[bytes.size() % kModes.size()], options);
         requireSoundFile(gltf);
-        const scene::Snapshot staged = scene::stagedGltf(std::move(gltf), file, options);
-        if (isUsed(bytes)) useScene(staged);
+        if (isUsed(bytes)) useScene(scene::stagedGltf(std::move(gltf), file, options));
     });
 }
 

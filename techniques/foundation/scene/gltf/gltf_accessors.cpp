@@ -55,11 +55,12 @@ std::string_view bytesOfView(const tinygltf::Model& model, const GltfBuffers& bu
 
 /// Do `count` elements fit, `stride` apart, from `offset` on? All numbers are at most 2^53, so that double holds them.
 bool fits(std::size_t offset, std::size_t count, std::size_t stride, std::size_t elementBytes, std::size_t available) {
-    return static_cast<double>(offset) + static_cast<double>(count - 1) * static_cast<double>(stride) +
-               static_cast<double>(elementBytes) <= static_cast<double>(available);
+    const double last = static_cast<double>(offset) + static_cast<double>(count - 1) * static_cast<double>(stride);
+    return last + static_cast<double>(elementBytes) <= static_cast<double>(available);
 }
 
-std::string doesNotFit(const char* what, std::size_t count, std::size_t elementBytes, std::size_t offset, int view, std::size_t available) {
+std::string doesNotFit(const char* what, std::size_t count, std::size_t elementBytes, std::size_t offset, int view,
+                       std::size_t available) {
     return std::string("has ") + what + "s that reach beyond their buffer view: " + counted(count, what) + " of " +
            counted(elementBytes, "byte") + " from byte " + std::to_string(offset) + " of bufferViews[" + std::to_string(view) +
            "], which has " + std::to_string(available) + "; export the model again";
@@ -76,25 +77,29 @@ void checkSparse(const GltfSource& source, const tinygltf::Model& model, const G
     };
     const double count = gltfMember(sparse, "count")->number;
     if (count > static_cast<double>(accessor.count))
-        source.fail("accessors", index, "has " + numberText(count) + " sparse elements, more than the " +
-                                            std::to_string(accessor.count) + " it has in all; export the model again");
+        source.fail("accessors", index,
+                    "has " + numberText(count) + " sparse elements, more than the " + std::to_string(accessor.count) +
+                        " it has in all; export the model again");
     const std::size_t indexBytes = bytesOfComponent(accessor.sparse.indices.componentType);
     const auto check = [&](int view, double offset, std::size_t bytes, const char* what) {
         const std::size_t available = bytesOfView(model, buffers, view).size();
         if (offset > std::min(static_cast<double>(available), 2147483647.0) || // tinygltf keeps it in an int
             !fits(static_cast<std::size_t>(offset), static_cast<std::size_t>(count), bytes, bytes, available))
-            source.fail("accessors", index, doesNotFit(what, static_cast<std::size_t>(count), bytes, static_cast<std::size_t>(offset), view, available));
+            source.fail("accessors", index,
+                        doesNotFit(what, static_cast<std::size_t>(count), bytes, static_cast<std::size_t>(offset), view, available));
     };
     check(accessor.sparse.indices.bufferView, offsetIn("indices"), indexBytes, "sparse index");
     check(accessor.sparse.values.bufferView, offsetIn("values"), elementBytes, "sparse value");
-    const std::string_view indices = bytesOfView(model, buffers, accessor.sparse.indices.bufferView).substr(static_cast<std::size_t>(offsetIn("indices")));
+    const std::string_view indices =
+        bytesOfView(model, buffers, accessor.sparse.indices.bufferView).substr(static_cast<std::size_t>(offsetIn("indices")));
     double before = -1;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         const double at = componentAt(indices.data() + i * indexBytes, accessor.sparse.indices.componentType);
         if (at <= before || at >= static_cast<double>(accessor.count))
-            source.fail("accessors", index, "has the sparse index " + numberText(at) + (i > 0 ? " after " + numberText(before) : "") +
-                                                "; they must rise and be less than its count, " + std::to_string(accessor.count) +
-                                                "; export the model again");
+            source.fail("accessors", index,
+                        "has the sparse index " + numberText(at) + (i > 0 ? " after " + numberText(before) : "") +
+                            "; they must rise and be less than its count, " + std::to_string(accessor.count) +
+                            "; export the model again");
         before = at;
     }
 }
@@ -116,9 +121,10 @@ void checkGltfAccessors(const GltfSource& source, const tinygltf::Model& model, 
         const tinygltf::BufferView& view = model.bufferViews[i];
         const std::size_t available = buffers.bytes(static_cast<std::size_t>(view.buffer)).size();
         if (view.byteOffset > available || view.byteLength > available - view.byteOffset)
-            source.fail("bufferViews", i, "reaches beyond its buffer: " + counted(view.byteLength, "byte") + " from byte " +
-                                              std::to_string(view.byteOffset) + " of buffers[" + std::to_string(view.buffer) +
-                                              "], which has " + std::to_string(available) + "; export the model again");
+            source.fail("bufferViews", i,
+                        "reaches beyond its buffer: " + counted(view.byteLength, "byte") + " from byte " +
+                            std::to_string(view.byteOffset) + " of buffers[" + std::to_string(view.buffer) + "], which has " +
+                            std::to_string(available) + "; export the model again");
     }
     for (std::size_t i = 0; i < model.accessors.size(); ++i) {
         const tinygltf::Accessor& accessor = model.accessors[i];
@@ -127,11 +133,13 @@ void checkGltfAccessors(const GltfSource& source, const tinygltf::Model& model, 
             const std::size_t available = bytesOfView(model, buffers, accessor.bufferView).size();
             const std::size_t given = model.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride;
             if (given > 0 && given < elementBytes)
-                source.fail("accessors", i, "has elements of " + counted(elementBytes, "byte") + ", but they lie only " +
-                                                std::to_string(given) + " apart (byteStride of bufferViews[" +
-                                                std::to_string(accessor.bufferView) + "]); export the model again");
+                source.fail("accessors", i,
+                            "has elements of " + counted(elementBytes, "byte") + ", but they lie only " + std::to_string(given) +
+                                " apart (byteStride of bufferViews[" + std::to_string(accessor.bufferView) +
+                                "]); export the model again");
             if (!fits(accessor.byteOffset, accessor.count, given > 0 ? given : elementBytes, elementBytes, available))
-                source.fail("accessors", i, doesNotFit("element", accessor.count, elementBytes, accessor.byteOffset, accessor.bufferView, available));
+                source.fail("accessors", i,
+                            doesNotFit("element", accessor.count, elementBytes, accessor.byteOffset, accessor.bufferView, available));
         }
         if (accessor.sparse.isSparse) checkSparse(source, model, buffers, i, elementBytes);
     }
@@ -147,7 +155,8 @@ GltfAccessor::GltfAccessor(const tinygltf::Model& model, const GltfBuffers& buff
     }
     if (accessor_->bufferView < 0) return;
     bytes_ = from(accessor_->bufferView, accessor_->byteOffset);
-    if (const std::size_t given = model.bufferViews[static_cast<std::size_t>(accessor_->bufferView)].byteStride; given > 0) stride_ = given;
+    if (const std::size_t given = model.bufferViews[static_cast<std::size_t>(accessor_->bufferView)].byteStride; given > 0)
+        stride_ = given;
 }
 
 const char* GltfAccessor::elementAt(std::size_t element) const {

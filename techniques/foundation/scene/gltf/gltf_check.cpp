@@ -39,7 +39,8 @@ public:
     std::string run() {
         const JsonValue& root = document_.root();
         const Place top{};
-        if (root.kind != Kind::object) document_.fail(root.offset, "is " + std::string(describe(root.kind)) + ", and no glTF file; export the model as glTF 2.0");
+        if (root.kind != Kind::object)
+            document_.fail(root.offset, "is " + std::string(describe(root.kind)) + ", and no glTF file; export the model as glTF 2.0");
         checkVersion(root);
         checkRequiredExtensions(root);
         writeObject(root, gltfSchema(), top);
@@ -63,8 +64,8 @@ private:
             document_.fail(asset ? asset->offset : root.offset,
                            "\"asset\" with its \"version\" is missing, as no glTF file may; is this one? Export the model as glTF 2.0");
         if (!version->string.starts_with("2."))
-            document_.fail(version->offset, "is of glTF version " + inQuotes(version->string) +
-                                                ", and only 2.0 is read; export the model as glTF 2.0");
+            document_.fail(version->offset,
+                           "is of glTF version " + inQuotes(version->string) + ", and only 2.0 is read; export the model as glTF 2.0");
     }
 
     void checkRequiredExtensions(const JsonValue& root) const {
@@ -115,8 +116,9 @@ private:
         if (!isCamera && !isLight) return;
         const JsonValue* type = gltfMember(value, "type");
         if (type && (isCamera || type->string == "spot") && !gltfMember(value, type->string))
-            fail(value, place, "is of type " + inQuotes(type->string) + " and has no " + inQuotes(type->string) +
-                                   " with its numbers; the file is not whole: export it again");
+            fail(value, place,
+                 "is of type " + inQuotes(type->string) + " and has no " + inQuotes(type->string) +
+                     " with its numbers; the file is not whole: export it again");
     }
 
     static bool isEmpty(const JsonValue& value) {
@@ -136,8 +138,7 @@ private:
         case text:
             require(value, place, Kind::string);
             checkAmong(value.string, key.of, value, place);
-            if (key.isPassedOn && key.name != "uri") text_ += textInJson(value.string);
-            else text_ += "\"\"";
+            text_ += key.name == "uri" ? "\"\"" : textInJson(value.string); // tinygltf sees none, and a data: URI may be long
             return;
         case reference: return writeReference(value, key.of, place);
         case references:
@@ -215,17 +216,17 @@ private:
             if (rest.substr(0, end) == text) return;
             rest.remove_prefix(std::min(end + 1, rest.size()));
         }
-        fail(value, place, "is " + (value.kind == Kind::string ? inQuotes(text) : std::string(text)) + "; it must be one of " +
-                               listOf(allowed));
+        fail(value, place,
+             "is " + (value.kind == Kind::string ? inQuotes(text) : std::string(text)) + "; it must be one of " + listOf(allowed));
     }
 
     void writeReference(const JsonValue& value, std::string_view array, const Place& place) {
         require(value, place, Kind::number);
         const std::size_t size = sizeOf(array);
         if (value.number != std::floor(value.number) || value.number < 0 || value.number >= static_cast<double>(size))
-            fail(value, place, "is " + numberText(value.number) + ", but the file has " +
-                                   (size == 0 ? "no " : counted(size, "element") + " in ") + inQuotes(array) +
-                                   (size == 0 ? "" : ", counted from 0") + "; correct the index, or export the model again");
+            fail(value, place,
+                 "is " + numberText(value.number) + ", but the file has " + (size == 0 ? "no " : counted(size, "element") + " in ") +
+                     inQuotes(array) + (size == 0 ? "" : ", counted from 0") + "; correct the index, or export the model again");
         text_ += std::to_string(static_cast<std::int64_t>(value.number));
     }
 
@@ -303,9 +304,7 @@ const JsonValue* gltfMember(const JsonValue& object, std::string_view key) {
     return found == object.members.end() ? nullptr : &found->value;
 }
 
-std::string gltfElementName(std::string_view array, std::size_t index) {
-    return std::string(array) + "[" + std::to_string(index) + "]";
-}
+std::string gltfElementName(std::string_view array, std::size_t index) { return std::string(array) + "[" + std::to_string(index) + "]"; }
 
 const std::vector<JsonValue>& GltfSource::elements(std::string_view array) const {
     static const std::vector<JsonValue> none;

@@ -39,8 +39,9 @@ GltfContainer gltfContainer(std::string given, const std::filesystem::path& file
         refuseContainer(file, 4, "is a .glb of version " + std::to_string(version) + ", and only version 2 (glTF 2.0) is read");
     const std::uint32_t length = littleEndian32(bytes, 8);
     if (length > bytes.size())
-        refuseContainer(file, 8, "the header says " + counted(length, "byte") + ", but the file has only " +
-                                     std::to_string(bytes.size()) + ": it was cut off");
+        refuseContainer(file, 8,
+                        "the header says " + counted(length, "byte") + ", but the file has only " + std::to_string(bytes.size()) +
+                            ": it was cut off");
     bytes = bytes.substr(0, length); // what stands behind is not part of it
 
     bool hasJson = false;
@@ -52,8 +53,9 @@ GltfContainer gltfContainer(std::string given, const std::filesystem::path& file
         const std::uint32_t size = littleEndian32(bytes, at), type = littleEndian32(bytes, at + 4);
         at += kChunkHeaderBytes;
         if (size > bytes.size() - at)
-            refuseContainer(file, at - kChunkHeaderBytes, "a chunk is said to have " + counted(size, "byte") + ", but only " +
-                                                              std::to_string(bytes.size() - at) + " follow");
+            refuseContainer(file, at - kChunkHeaderBytes,
+                            "a chunk is said to have " + counted(size, "byte") + ", but only " + std::to_string(bytes.size() - at) +
+                                " follow");
         if (!hasJson && type != kJsonChunk) refuseContainer(file, at - 4, "the first chunk of a .glb must be the JSON one");
         if (!hasJson)
             container.json = bytes.substr(at, size), hasJson = true;

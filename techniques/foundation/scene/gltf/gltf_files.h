@@ -50,7 +50,7 @@ public:
 
 private:
     std::vector<std::string_view> bytes_;
-    std::vector<std::unique_ptr<std::string>> owned_;               ///< decoded from data: URIs
+    std::vector<std::unique_ptr<std::string>> owned_;                     ///< decoded from data: URIs
     std::map<std::filesystem::path, std::unique_ptr<std::string>> files_; ///< each read once
 };
 

@@ -31,8 +31,9 @@ int lightOf(const tinygltf::Node& node) {
 void setCone(const GltfSource& source, std::size_t index, const tinygltf::SpotLight& spot, Light& light) {
     const double inner = spot.innerConeAngle, outer = spot.outerConeAngle;
     if (!(outer > 0 && outer <= glm::half_pi<double>() + 1e-6 && inner >= 0 && inner < outer))
-        source.fail("lights", index, "is a spot light whose cone is from " + numberText(inner) + " to " + numberText(outer) +
-                                         " radians; it must be 0 <= innerConeAngle < outerConeAngle <= pi/2");
+        source.fail("lights", index,
+                    "is a spot light whose cone is from " + numberText(inner) + " to " + numberText(outer) +
+                        " radians; it must be 0 <= innerConeAngle < outerConeAngle <= pi/2");
     // The whole apex angle, which must stay below a straight one; and the band within it where the light fades.
     light.coneDegrees = std::min(2.0 * inDegrees(outer), 179.99);
     light.edgeDegrees = std::min(inDegrees(outer - inner), 0.5 * light.coneDegrees);
@@ -55,7 +56,8 @@ std::vector<Light> gltfLights(GltfSource& source, const tinygltf::Model& model, 
         if (given.color.size() == 3) light.color = vec3(dvec3(given.color[0], given.color[1], given.color[2]));
         light.intensity = given.intensity;
         if (!(glm::length(light.positionWorld) <= Limits{}.coordinate))
-            source.fail("nodes", node.index, "has a light beyond " + numberText(Limits{}.coordinate) + " m from the origin; bring it nearer");
+            source.fail("nodes", node.index,
+                        "has a light beyond " + numberText(Limits{}.coordinate) + " m from the origin; bring it nearer");
         if (light.type == LightType::spot) setCone(source, at, given.spot, light);
         if (light.type != LightType::point && light.directionWorld == dvec3(0.0)) {
             source.note("nodes", node.index, "its light has no direction, because its scale is 0; it is left out");
@@ -83,11 +85,13 @@ std::vector<Viewpoint> gltfCameras(GltfSource& source, const tinygltf::Model& mo
         if (!(lens.yfov > 0 && lens.yfov < glm::pi<double>()))
             source.fail("cameras", at, "has a yfov of " + numberText(lens.yfov) + " radians; it must be above 0 and below pi");
         if (!(lens.znear > 0) || !(lens.zfar == 0 || lens.zfar > lens.znear))
-            source.fail("cameras", at, "sees from znear " + numberText(lens.znear) + " to zfar " + numberText(lens.zfar) +
-                                           "; znear must be above 0, and zfar beyond it");
+            source.fail("cameras", at,
+                        "sees from znear " + numberText(lens.znear) + " to zfar " + numberText(lens.zfar) +
+                            "; znear must be above 0, and zfar beyond it");
         if (lens.znear > Limits{}.coordinate || !(glm::length(dvec3(node.worldFromNode[3])) <= Limits{}.coordinate))
-            source.fail("nodes", node.index, "has a camera that stands, or sees from, beyond " + numberText(Limits{}.coordinate) +
-                                                 " m from the origin; bring it nearer");
+            source.fail("nodes", node.index,
+                        "has a camera that stands, or sees from, beyond " + numberText(Limits{}.coordinate) +
+                            " m from the origin; bring it nearer");
         Viewpoint viewpoint{node.name, {}};
         Camera& camera = viewpoint.camera;
         camera.positionWorld = dvec3(node.worldFromNode[3]);

@@ -174,7 +174,8 @@ private:
         material_.ior = isSolid && ior >= 1 ? ior : 1.0;
         material_.transparency = transmission * brightness(surface.base * surface.textureMean);
         material_.diffuse *= static_cast<float>(1.0 - transmission);
-        material_.reflectivity = std::min(std::max<double>(material_.reflectivity, brightness(surface.headOn)), 1.0 - material_.transparency);
+        material_.reflectivity =
+            std::min(std::max<double>(material_.reflectivity, brightness(surface.headOn)), 1.0 - material_.transparency);
     }
 
     void setOpacity(const Surface& surface) {

@@ -42,15 +42,16 @@ GltfMesh gltfMesh(const GltfParts& parts, std::size_t index, const std::vector<G
     VertexWelder welder(3 * triangles);
     mesh.triangles.reserve(triangles);
     for (const GltfPrimitive& primitive : primitives) {
-        MeshPart part{.materialName = "", .firstTriangle = static_cast<std::uint32_t>(mesh.triangles.size()), .triangleCount = 0,
+        MeshPart part{.materialName = "",
+                      .firstTriangle = static_cast<std::uint32_t>(mesh.triangles.size()),
+                      .triangleCount = 0,
                       .hasTexcoords = primitive.hasTexcoords()};
         if (primitive.material() >= 0) part.materialName = parts.materials[static_cast<std::size_t>(primitive.material())].material.name;
         for (std::uint64_t t = 0; t < primitive.triangleCount(); ++t) {
             const std::array<std::size_t, 3> vertices = primitive.triangle(t);
             std::array<vec3, 3> corners; // adding zero turns -0 into +0
-            std::ranges::transform(vertices, corners.begin(), [&](std::size_t vertex) {
-                return vec3(primitive.position(vertex) - mesh.originObject) + vec3(0.0f);
-            });
+            std::ranges::transform(vertices, corners.begin(),
+                                   [&](std::size_t vertex) { return vec3(primitive.position(vertex) - mesh.originObject) + vec3(0.0f); });
             // Exact in double for all but absurd ratios of size: a triangle without area gives exactly zero.
             const dvec3 area = glm::cross(dvec3(corners[1]) - dvec3(corners[0]), dvec3(corners[2]) - dvec3(corners[0]));
             if (area == dvec3(0.0)) {
@@ -75,8 +76,7 @@ GltfMesh gltfMesh(const GltfParts& parts, std::size_t index, const std::vector<G
         mesh.parts.push_back(part);
         result.materials.push_back(primitive.material());
     }
-    if (mesh.droppedTriangles > 0)
-        parts.source.note("meshes", index, "triangles without area are dropped", mesh.droppedTriangles);
+    if (mesh.droppedTriangles > 0) parts.source.note("meshes", index, "triangles without area are dropped", mesh.droppedTriangles);
     if (mesh.triangles.empty()) return result;
     mesh.positionsMesh = welder.of(&Vertex::position);
     mesh.normalsMesh = welder.of(&Vertex::normal);

@@ -23,8 +23,9 @@ std::vector<std::size_t> parentsOf(const GltfSource& source, const tinygltf::Mod
         for (const int child : model.nodes[i].children) {
             std::size_t& parent = parents[nodeIndex(child)];
             if (parent != kNoParent)
-                source.fail("nodes", nodeIndex(child), "is a child of nodes[" + std::to_string(parent) + "] and of nodes[" +
-                                                           std::to_string(i) + "]; a node has one parent: take it out of one of them");
+                source.fail("nodes", nodeIndex(child),
+                            "is a child of nodes[" + std::to_string(parent) + "] and of nodes[" + std::to_string(i) +
+                                "]; a node has one parent: take it out of one of them");
             parent = i;
         }
     // With one parent each, a node that no root leads to is part of a circle, or hangs below one.
@@ -40,7 +41,8 @@ std::vector<std::size_t> parentsOf(const GltfSource& source, const tinygltf::Mod
             open.push_back(nodeIndex(child));
     }
     for (std::size_t i = 0; i < parents.size(); ++i)
-        if (!isReached[i]) source.fail("nodes", i, "is its own ancestor, or a child of one that is; nodes must be a tree: export the model again");
+        if (!isReached[i])
+            source.fail("nodes", i, "is its own ancestor, or a child of one that is; nodes must be a tree: export the model again");
     return parents;
 }
 
@@ -57,11 +59,11 @@ std::vector<std::size_t> shownRoots(GltfSource& source, const tinygltf::Model& m
         if (i != shown) source.note("scenes", i, "is left out; scenes[" + std::to_string(shown) + "] is shown");
     std::set<int> known;
     for (const int root : model.scenes[shown].nodes) {
-        if (!known.insert(root).second)
-            source.fail("scenes", shown, "names nodes[" + std::to_string(root) + "] twice; take it out once");
+        if (!known.insert(root).second) source.fail("scenes", shown, "names nodes[" + std::to_string(root) + "] twice; take it out once");
         if (parents[nodeIndex(root)] != kNoParent)
-            source.fail("scenes", shown, "names nodes[" + std::to_string(root) + "], which is a child of nodes[" +
-                                             std::to_string(parents[nodeIndex(root)]) + "]; a scene names roots alone: export the model again");
+            source.fail("scenes", shown,
+                        "names nodes[" + std::to_string(root) + "], which is a child of nodes[" +
+                            std::to_string(parents[nodeIndex(root)]) + "]; a scene names roots alone: export the model again");
         roots.push_back(nodeIndex(root));
     }
     return roots;
@@ -82,16 +84,18 @@ dmat4 matrixOf(GltfSource& source, const tinygltf::Model& model, std::size_t ind
         for (int column = 0; column < 4; ++column)
             matrix[column].w = column < 3 ? 0 : 1;
         if (!(glm::length(lastRow) <= kRounding))
-            source.fail("nodes", index, "has a matrix whose last row is not 0 0 0 1 (column by column: numbers 4, 8, 12 and 16); "
-                                        "projections do not place things: correct the matrix");
+            source.fail("nodes", index,
+                        "has a matrix whose last row is not 0 0 0 1 (column by column: numbers 4, 8, 12 and 16); "
+                        "projections do not place things: correct the matrix");
         return matrix;
     }
     if (!node.rotation.empty()) {
         const dvec4 q(node.rotation[0], node.rotation[1], node.rotation[2], node.rotation[3]);
         const double length = glm::length(q);
         if (!(length > 0) || !std::isfinite(length))
-            source.fail("nodes", index, "has a rotation without a direction (a quaternion of length " + numberText(length) +
-                                            "); write [0, 0, 0, 1] for none");
+            source.fail("nodes", index,
+                        "has a rotation without a direction (a quaternion of length " + numberText(length) +
+                            "); write [0, 0, 0, 1] for none");
         const auto [x, y, z, w] = std::array{q.x / length, q.y / length, q.z / length, q.w / length};
         matrix[0] = {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0};
         matrix[1] = {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 0};
@@ -149,7 +153,8 @@ std::vector<GltfNode> gltfNodes(GltfSource& source, const tinygltf::Model& model
         open.pop_back();
         const dmat4 worldFromNode = worldFromParent * matrixOf(source, model, index);
         if (!isFiniteMatrix(worldFromNode))
-            source.fail("nodes", index, "stands, with its parents, where no numbers are left (beyond 1e308); reduce its scale or translation");
+            source.fail("nodes", index,
+                        "stands, with its parents, where no numbers are left (beyond 1e308); reduce its scale or translation");
         nodes.push_back({index, names.unique(nameOfNode(model, index)), worldFromNode});
         const std::vector<int>& children = model.nodes[index].children;
         for (std::size_t i = children.size(); i-- > 0;)

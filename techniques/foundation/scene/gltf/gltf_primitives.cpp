@@ -56,7 +56,8 @@ GltfPrimitive::GltfPrimitive(const GltfParts& parts, std::size_t mesh, std::size
         const GltfMaterial& material = parts.materials[static_cast<std::size_t>(material_)];
         texcoords_ = attribute("TEXCOORD_" + std::to_string(material.texcoordSet), 2, 2);
         if (!texcoords_ && (material.material.colorImage || material.material.alphaMask))
-            parts.source.note("meshes", mesh, "a primitive has no texture coordinates for the image of its material, which is not laid on it");
+            parts.source.note("meshes", mesh,
+                              "a primitive has no texture coordinates for the image of its material, which is not laid on it");
     }
     const int indices = given(parts, mesh, primitive).indices;
     if (indices < 0) return;
@@ -70,8 +71,8 @@ GltfPrimitive::GltfPrimitive(const GltfParts& parts, std::size_t mesh, std::size
 
 void GltfPrimitive::fail(const std::string& message) const {
     const JsonValue& place = gltfMember(parts_->source.elements("meshes")[mesh_], "primitives")->items[primitive_];
-    parts_->source.document().fail(place.offset, gltfElementName("meshes", mesh_) + "." + gltfElementName("primitives", primitive_) + " " +
-                                                    message);
+    parts_->source.document().fail(place.offset,
+                                   gltfElementName("meshes", mesh_) + "." + gltfElementName("primitives", primitive_) + " " + message);
 }
 
 std::optional<GltfAccessor> GltfPrimitive::attribute(const std::string& name, int fewest, int most) const {

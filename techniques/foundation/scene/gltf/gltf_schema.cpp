@@ -32,10 +32,13 @@ constexpr std::array kAsset{GltfKey{.name = "version", .kind = text, .isRequired
                             keyText("copyright"), keyExtensions(kNone)};
 
 constexpr std::array kBuffer{keyText("uri"), keyText("name"), keyCount("byteLength", 1, true), keyExtensions(kNone)};
-constexpr std::array kBufferView{keyReference("buffer", "buffers", true), keyCount("byteOffset", 0, false),
+constexpr std::array kBufferView{keyReference("buffer", "buffers", true),
+                                 keyCount("byteOffset", 0, false),
                                  keyCount("byteLength", 1, true),
                                  GltfKey{.name = "byteStride", .kind = integer, .least = 4, .most = 252},
-                                 keyIgnored("target"), keyIgnored("name"), keyExtensions(kNone)};
+                                 keyIgnored("target"),
+                                 keyIgnored("name"),
+                                 keyExtensions(kNone)};
 
 constexpr std::array kSparseIndices{keyReference("bufferView", "bufferViews", true), keyCount("byteOffset", 0, false),
                                     GltfKey{.name = "componentType", .kind = integer, .isRequired = true, .of = "5121|5123|5125"},
@@ -45,97 +48,118 @@ constexpr std::array kSparseValues{keyReference("bufferView", "bufferViews", tru
 constexpr std::array kSparse{keyCount("count", 1, true), keyObject("indices", kSparseIndices, true),
                              keyObject("values", kSparseValues, true), keyExtensions(kNone)};
 constexpr std::array kAccessor{
-    keyReference("bufferView", "bufferViews"), keyCount("byteOffset", 0, false), GltfKey{.name = "normalized", .kind = flag},
+    keyReference("bufferView", "bufferViews"),
+    keyCount("byteOffset", 0, false),
+    GltfKey{.name = "normalized", .kind = flag},
     GltfKey{.name = "componentType", .kind = integer, .isRequired = true, .of = "5120|5121|5122|5123|5125|5126"},
     keyCount("count", 1, true),
     GltfKey{.name = "type", .kind = text, .isRequired = true, .of = "SCALAR|VEC2|VEC3|VEC4|MAT2|MAT3|MAT4"},
-    keyObject("sparse", kSparse), keyIgnored("min"), keyIgnored("max"), keyIgnored("name"), keyExtensions(kNone)};
+    keyObject("sparse", kSparse),
+    keyIgnored("min"),
+    keyIgnored("max"),
+    keyIgnored("name"),
+    keyExtensions(kNone)};
 
-constexpr std::array kPrimitive{
-    GltfKey{.name = "attributes", .kind = attributes, .isRequired = true, .of = "accessors"}, keyReference("indices", "accessors"),
-    keyReference("material", "materials"), GltfKey{.name = "mode", .kind = integer, .least = 0, .most = 6},
-    keyIgnored("targets", "morph targets are left out; the mesh is shown without them"), keyExtensions(kNone)};
-constexpr std::array kMesh{GltfKey{.name = "primitives", .kind = objects, .isRequired = true, .schema = kPrimitive},
-                           keyText("name"), keyIgnored("weights"), keyExtensions(kNone)};
+constexpr std::array kPrimitive{GltfKey{.name = "attributes", .kind = attributes, .isRequired = true, .of = "accessors"},
+                                keyReference("indices", "accessors"),
+                                keyReference("material", "materials"),
+                                GltfKey{.name = "mode", .kind = integer, .least = 0, .most = 6},
+                                keyIgnored("targets", "morph targets are left out; the mesh is shown without them"),
+                                keyExtensions(kNone)};
+constexpr std::array kMesh{GltfKey{.name = "primitives", .kind = objects, .isRequired = true, .schema = kPrimitive}, keyText("name"),
+                           keyIgnored("weights"), keyExtensions(kNone)};
 
 constexpr std::array kNodeLight{keyReference("light", "lights", true)};
 constexpr std::array kNodeExtensions{keyObject("KHR_lights_punctual", kNodeLight)};
-constexpr std::array kNode{keyText("name"), GltfKey{.name = "children", .kind = references, .of = "nodes"},
-                           keyReference("mesh", "meshes"), keyReference("camera", "cameras"),
+constexpr std::array kNode{keyText("name"),
+                           GltfKey{.name = "children", .kind = references, .of = "nodes"},
+                           keyReference("mesh", "meshes"),
+                           keyReference("camera", "cameras"),
                            keyIgnored("skin", "skins are left out; the mesh is shown as it is modelled"),
                            GltfKey{.name = "matrix", .kind = numbers, .count = 16},
                            GltfKey{.name = "translation", .kind = numbers, .count = 3},
                            GltfKey{.name = "rotation", .kind = numbers, .count = 4},
-                           GltfKey{.name = "scale", .kind = numbers, .count = 3}, keyIgnored("weights"),
+                           GltfKey{.name = "scale", .kind = numbers, .count = 3},
+                           keyIgnored("weights"),
                            keyExtensions(kNodeExtensions)};
 constexpr std::array kScene{GltfKey{.name = "nodes", .kind = references, .of = "nodes"}, keyText("name"), keyExtensions(kNone)};
 
-constexpr std::array kTransform{GltfKey{.name = "offset", .kind = numbers, .count = 2},
-                                GltfKey{.name = "rotation", .kind = number}, GltfKey{.name = "scale", .kind = numbers, .count = 2},
-                                keyCount("texCoord", 0, false)};
+constexpr std::array kTransform{GltfKey{.name = "offset", .kind = numbers, .count = 2}, GltfKey{.name = "rotation", .kind = number},
+                                GltfKey{.name = "scale", .kind = numbers, .count = 2}, keyCount("texCoord", 0, false)};
 constexpr std::array kTextureInfoExtensions{keyObject("KHR_texture_transform", kTransform)};
 constexpr std::array kTextureInfo{keyReference("index", "textures", true), keyCount("texCoord", 0, false),
                                   keyExtensions(kTextureInfoExtensions)};
-constexpr std::array kPbr{keyShare("baseColorFactor", 1, 4), keyObject("baseColorTexture", kTextureInfo),
-                          keyShare("metallicFactor"), keyShare("roughnessFactor"),
-                          keyObject("metallicRoughnessTexture", kTextureInfo), keyExtensions(kNone)};
+constexpr std::array kPbr{
+    keyShare("baseColorFactor", 1, 4), keyObject("baseColorTexture", kTextureInfo),         keyShare("metallicFactor"),
+    keyShare("roughnessFactor"),       keyObject("metallicRoughnessTexture", kTextureInfo), keyExtensions(kNone)};
 
-constexpr std::array kTransmission{keyShare("transmissionFactor"),
-                                   keyIgnored("transmissionTexture", "the image of a transmission is left out; its factor counts everywhere")};
+constexpr std::array kTransmission{
+    keyShare("transmissionFactor"),
+    keyIgnored("transmissionTexture", "the image of a transmission is left out; its factor counts everywhere")};
 constexpr std::array kIor{GltfKey{.name = "ior", .kind = number}};
 constexpr std::array kStrength{keyShare("emissiveStrength", 1e15)};
 constexpr std::array kVolume{keyShare("thicknessFactor", 1e15), keyIgnored("thicknessTexture"),
                              keyIgnored("attenuationDistance", "the colour that light takes on within a volume is left out"),
                              keyIgnored("attenuationColor")};
-constexpr std::array kSpecular{keyShare("specularFactor"), keyShare("specularColorFactor", 1e15, 3),
-                               keyIgnored("specularTexture", "the image of a specular strength is left out; its factor counts everywhere"),
-                               keyIgnored("specularColorTexture", "the image of a specular colour is left out; its factor counts everywhere")};
-constexpr std::array kGlossiness{keyShare("diffuseFactor", 1, 4), keyObject("diffuseTexture", kTextureInfo),
-                                 keyShare("specularFactor", 1, 3), keyShare("glossinessFactor"),
-                                 keyIgnored("specularGlossinessTexture", "the image of specular and glossiness is left out; its factors count everywhere")};
-constexpr std::array kMaterialExtensions{
-    keyObject("KHR_materials_transmission", kTransmission), keyObject("KHR_materials_ior", kIor),
-    keyObject("KHR_materials_emissive_strength", kStrength), keyObject("KHR_materials_unlit", kNone),
-    keyObject("KHR_materials_volume", kVolume), keyObject("KHR_materials_specular", kSpecular),
-    keyObject("KHR_materials_pbrSpecularGlossiness", kGlossiness)};
-constexpr std::array kMaterial{keyText("name"), keyObject("pbrMetallicRoughness", kPbr),
+constexpr std::array kSpecular{
+    keyShare("specularFactor"), keyShare("specularColorFactor", 1e15, 3),
+    keyIgnored("specularTexture", "the image of a specular strength is left out; its factor counts everywhere"),
+    keyIgnored("specularColorTexture", "the image of a specular colour is left out; its factor counts everywhere")};
+constexpr std::array kGlossiness{
+    keyShare("diffuseFactor", 1, 4), keyObject("diffuseTexture", kTextureInfo), keyShare("specularFactor", 1, 3),
+    keyShare("glossinessFactor"),
+    keyIgnored("specularGlossinessTexture", "the image of specular and glossiness is left out; its factors count everywhere")};
+constexpr std::array kMaterialExtensions{keyObject("KHR_materials_transmission", kTransmission),
+                                         keyObject("KHR_materials_ior", kIor),
+                                         keyObject("KHR_materials_emissive_strength", kStrength),
+                                         keyObject("KHR_materials_unlit", kNone),
+                                         keyObject("KHR_materials_volume", kVolume),
+                                         keyObject("KHR_materials_specular", kSpecular),
+                                         keyObject("KHR_materials_pbrSpecularGlossiness", kGlossiness)};
+constexpr std::array kMaterial{keyText("name"),
+                               keyObject("pbrMetallicRoughness", kPbr),
                                keyIgnored("normalTexture", "normal maps are left out; the surface is shaded as it is modelled"),
                                keyIgnored("occlusionTexture", "occlusion maps are left out; shadows are computed here"),
-                               keyObject("emissiveTexture", kTextureInfo), keyShare("emissiveFactor", 1, 3),
+                               keyObject("emissiveTexture", kTextureInfo),
+                               keyShare("emissiveFactor", 1, 3),
                                GltfKey{.name = "alphaMode", .kind = text, .of = "OPAQUE|MASK|BLEND"},
-                               keyShare("alphaCutoff", 1e15), GltfKey{.name = "doubleSided", .kind = flag},
+                               keyShare("alphaCutoff", 1e15),
+                               GltfKey{.name = "doubleSided", .kind = flag},
                                keyExtensions(kMaterialExtensions)};
 
-constexpr std::array kTextureExtensions{keyIgnored("KHR_texture_basisu", "a KTX2 image is left out"),
-                                        keyIgnored("EXT_texture_webp", "a WebP image is left out"),
-                                        keyIgnored("EXT_texture_avif", "an AVIF image is left out"),
-                                        keyIgnored("MSFT_texture_dds", "a DDS image is left out")};
+constexpr std::array kTextureExtensions{
+    keyIgnored("KHR_texture_basisu", "a KTX2 image is left out"), keyIgnored("EXT_texture_webp", "a WebP image is left out"),
+    keyIgnored("EXT_texture_avif", "an AVIF image is left out"), keyIgnored("MSFT_texture_dds", "a DDS image is left out")};
 constexpr std::array kTexture{keyReference("sampler", "samplers"), keyReference("source", "images"), keyIgnored("name"),
                               keyExtensions(kTextureExtensions)};
 constexpr std::array kImage{keyText("uri"), keyText("mimeType"), keyReference("bufferView", "bufferViews"), keyText("name"),
                             keyExtensions(kNone)};
-constexpr std::array kSampler{
-    GltfKey{.name = "magFilter", .kind = integer, .of = "9728|9729"},
-    GltfKey{.name = "minFilter", .kind = integer, .of = "9728|9729|9984|9985|9986|9987"},
-    GltfKey{.name = "wrapS", .kind = integer, .of = "33071|33648|10497"},
-    GltfKey{.name = "wrapT", .kind = integer, .of = "33071|33648|10497"}, keyIgnored("name"), keyExtensions(kNone)};
+constexpr std::array kSampler{GltfKey{.name = "magFilter", .kind = integer, .of = "9728|9729"},
+                              GltfKey{.name = "minFilter", .kind = integer, .of = "9728|9729|9984|9985|9986|9987"},
+                              GltfKey{.name = "wrapS", .kind = integer, .of = "33071|33648|10497"},
+                              GltfKey{.name = "wrapT", .kind = integer, .of = "33071|33648|10497"},
+                              keyIgnored("name"),
+                              keyExtensions(kNone)};
 
 constexpr std::array kPerspective{keyIgnored("aspectRatio"), GltfKey{.name = "yfov", .kind = number, .isRequired = true},
-                                  GltfKey{.name = "zfar", .kind = number},
-                                  GltfKey{.name = "znear", .kind = number, .isRequired = true}, keyExtensions(kNone)};
-constexpr std::array kOrthographic{
-    GltfKey{.name = "xmag", .kind = number, .isRequired = true}, GltfKey{.name = "ymag", .kind = number, .isRequired = true},
-    GltfKey{.name = "zfar", .kind = number, .isRequired = true}, GltfKey{.name = "znear", .kind = number, .isRequired = true},
-    keyExtensions(kNone)};
+                                  GltfKey{.name = "zfar", .kind = number}, GltfKey{.name = "znear", .kind = number, .isRequired = true},
+                                  keyExtensions(kNone)};
+constexpr std::array kOrthographic{GltfKey{.name = "xmag", .kind = number, .isRequired = true},
+                                   GltfKey{.name = "ymag", .kind = number, .isRequired = true},
+                                   GltfKey{.name = "zfar", .kind = number, .isRequired = true},
+                                   GltfKey{.name = "znear", .kind = number, .isRequired = true}, keyExtensions(kNone)};
 constexpr std::array kCamera{GltfKey{.name = "type", .kind = text, .isRequired = true, .of = "perspective|orthographic"},
-                             keyObject("perspective", kPerspective), keyObject("orthographic", kOrthographic),
-                             keyText("name"), keyExtensions(kNone)};
+                             keyObject("perspective", kPerspective), keyObject("orthographic", kOrthographic), keyText("name"),
+                             keyExtensions(kNone)};
 
 constexpr std::array kSpot{GltfKey{.name = "innerConeAngle", .kind = number}, GltfKey{.name = "outerConeAngle", .kind = number}};
-constexpr std::array kLight{keyText("name"), keyShare("color", 1e15, 3), keyShare("intensity", 1e15),
+constexpr std::array kLight{keyText("name"),
+                            keyShare("color", 1e15, 3),
+                            keyShare("intensity", 1e15),
                             GltfKey{.name = "type", .kind = text, .isRequired = true, .of = "directional|point|spot"},
-                            keyObject("spot", kSpot), keyIgnored("range", "the range of a light is left out: light falls off with the "
-                                                                          "square of the distance, without an end"),
+                            keyObject("spot", kSpot),
+                            keyIgnored("range", "the range of a light is left out: light falls off with the "
+                                                "square of the distance, without an end"),
                             keyExtensions(kNone)};
 constexpr std::array kLights{GltfKey{.name = "lights", .kind = objects, .isRequired = true, .schema = kLight}};
 constexpr std::array kFileExtensions{keyObject("KHR_lights_punctual", kLights),
@@ -163,16 +187,11 @@ constexpr std::array kFile{keyObject("asset", kAsset, true),
                            keyIgnored("animations", "animations are left out; the scene is shown at rest"),
                            keyExtensions(kFileExtensions)};
 
-constexpr std::array<std::string_view, 10> kServed{"KHR_lights_punctual",
-                                                  "KHR_texture_transform",
-                                                  "KHR_mesh_quantization",
-                                                  "KHR_materials_transmission",
-                                                  "KHR_materials_ior",
-                                                  "KHR_materials_emissive_strength",
-                                                  "KHR_materials_unlit",
-                                                  "KHR_materials_specular",
-                                                  "KHR_materials_volume",
-                                                  "KHR_materials_pbrSpecularGlossiness"};
+constexpr std::array<std::string_view, 10> kServed{"KHR_lights_punctual",   "KHR_texture_transform",
+                                                   "KHR_mesh_quantization", "KHR_materials_transmission",
+                                                   "KHR_materials_ior",     "KHR_materials_emissive_strength",
+                                                   "KHR_materials_unlit",   "KHR_materials_specular",
+                                                   "KHR_materials_volume",  "KHR_materials_pbrSpecularGlossiness"};
 
 } // namespace
 

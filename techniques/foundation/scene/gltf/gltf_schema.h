@@ -27,12 +27,12 @@ struct GltfKey {
     std::string_view name;
     Kind kind = Kind::ignored;
     bool isRequired = false;
-    std::string_view of{};           ///< of references: an array's name; of texts and integers: the allowed ones, "A|B"
+    std::string_view of{}; ///< of references: an array's name; of texts and integers: the allowed ones, "A|B"
     std::span<const GltfKey> schema{};
     double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
     std::size_t count = 0;
-    std::string_view note{};         ///< where it is not shown: what to say of it
-    bool isPassedOn = true;          ///< to tinygltf
+    std::string_view note{}; ///< where it is not shown: what to say of it
+    bool isPassedOn = true;  ///< to tinygltf
 };
 
 /// The keys of the whole file.

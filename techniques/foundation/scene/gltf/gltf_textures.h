@@ -14,7 +14,7 @@ namespace shadowlab::scene {
 
 /// A use of a texture, `"baseColorTexture": {...}`, as far as a surface can show it.
 struct GltfTexture {
-    std::filesystem::path image;  ///< its file, or a name that stands for bytes within this file
+    std::filesystem::path image; ///< its file, or a name that stands for bytes within this file
     std::size_t imageIndex = 0;
     ImagePlacement placement;
     int texcoordSet = 0;

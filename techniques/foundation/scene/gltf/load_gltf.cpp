@@ -22,7 +22,8 @@ void requireMemoryForJson(const GltfContainer& container, const std::filesystem:
     constexpr std::uint64_t kCopies = 4; // of the text and of what its strings hold: text, tree, decoded, for tinygltf
     const auto isBeforeValue = [](char c) { return c == ',' || c == '[' || c == '{' || c == ':'; };
     const std::uint64_t values = 1 + static_cast<std::uint64_t>(std::ranges::count_if(container.json, isBeforeValue));
-    const std::uint64_t needed = memoryForMeshFile(0, limits) + values * kBytesPerValue + kCopies * container.json.size() + container.bytes.size();
+    const std::uint64_t needed =
+        memoryForMeshFile(0, limits) + values * kBytesPerValue + kCopies * container.json.size() + container.bytes.size();
     if (needed > limits.memoryBytes)
         throw Error(ExitStatus::overLimit, shownPath(file) + ": to read " + counted(container.json.size(), "byte") + " of JSON, " +
                                                beyondMemory(needed, limits.memoryBytes) +
@@ -69,17 +70,18 @@ private:
             const int mesh = parts_.model.nodes[node.index].mesh;
             if (mesh < 0) continue;
             const auto refuse = [&](const std::string& why, const char* limit) {
-                parts_.source.fail("nodes", node.index, why + "; simplify the model, or set --limit " + limit + "=VALUE", ExitStatus::overLimit);
+                parts_.source.fail("nodes", node.index, why + "; simplify the model, or set --limit " + limit + "=VALUE",
+                                   ExitStatus::overLimit);
             };
             const Limits& limits = options_.limits;
-            if (++objects > limits.objects)
-                refuse("is one object more than the limit of " + std::to_string(limits.objects), "objects");
+            if (++objects > limits.objects) refuse("is one object more than the limit of " + std::to_string(limits.objects), "objects");
             const auto [entry, isNew] = primitives_.try_emplace(mesh);
             if (isNew) entry->second = GltfPrimitive::ofMesh(parts_, static_cast<std::size_t>(mesh));
             for (const GltfPrimitive& primitive : entry->second)
                 triangles += primitive.triangleCount();
             if (triangles > limits.triangles)
-                refuse("brings the file to " + counted(triangles, "triangle") + ", more than the limit of " + std::to_string(limits.triangles),
+                refuse("brings the file to " + counted(triangles, "triangle") + ", more than the limit of " +
+                           std::to_string(limits.triangles),
                        "triangles");
             if (const std::uint64_t needed = memoryForTriangles(triangles, limits); needed > limits.memoryBytes)
                 refuse("brings the file to " + counted(triangles, "triangle") + ", for which " + beyondMemory(needed, limits.memoryBytes),
@@ -103,14 +105,15 @@ private:
     GltfObject objectOf(const GltfNode& node, const GltfMesh& mesh, GltfFile& file) {
         GltfObject object{node.name, mesh.mesh, node.worldFromNode, {}};
         for (std::size_t part = 0; part < mesh.materials.size(); ++part)
-            object.partMaterials.push_back(mesh.materials[part] >= 0      ? static_cast<std::uint32_t>(mesh.materials[part])
+            object.partMaterials.push_back(mesh.materials[part] >= 0   ? static_cast<std::uint32_t>(mesh.materials[part])
                                            : mesh.mesh->colors.empty() ? GltfObject::kNoMaterial
                                                                        : materialOfVertexColors(file));
         const Bounds bounds = boundsOf(object);
         const dvec3 farthest = glm::max(glm::abs(bounds.lowerWorld), glm::abs(bounds.upperWorld));
         const double limit = options_.limits.coordinate;
         if (!(glm::max(farthest.x, glm::max(farthest.y, farthest.z)) <= limit))
-            parts_.source.fail("nodes", node.index, "reaches beyond " + numberText(limit) + " m from the origin; reduce its scale or translation");
+            parts_.source.fail("nodes", node.index,
+                               "reaches beyond " + numberText(limit) + " m from the origin; reduce its scale or translation");
         return object;
     }
 
@@ -163,8 +166,10 @@ GltfFile parseGltf(std::string bytes, const std::filesystem::path& file, NormalM
                              "; export a model with surfaces");
     gltf.lights = gltfLights(source, model, nodes);
     if (gltf.lights.size() > options.limits.lights)
-        document.fail(0, "has " + counted(gltf.lights.size(), "light") + ", more than the limit of " + std::to_string(options.limits.lights) +
-                             "; remove some, or set --limit lights=VALUE", ExitStatus::overLimit);
+        document.fail(0,
+                      "has " + counted(gltf.lights.size(), "light") + ", more than the limit of " +
+                          std::to_string(options.limits.lights) + "; remove some, or set --limit lights=VALUE",
+                      ExitStatus::overLimit);
     Bounds bounds;
     for (const GltfObject& object : gltf.objects)
         bounds.include(boundsOf(object));

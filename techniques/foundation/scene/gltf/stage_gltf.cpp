@@ -13,7 +13,7 @@ namespace shadowlab::scene {
 
 namespace {
 
-constexpr float kStageAmbient = 0.09f; // umbra clearly above black
+constexpr float kStageAmbient = 0.09f;   // umbra clearly above black
 constexpr double kStageIrradiance = 3.0; // makes a white surface that faces the light just not clip: 3 * 0.8 / pi = 0.76
 
 /// The file's materials behind those of the stage; the index of the first.
@@ -57,7 +57,8 @@ double irradianceInTheMiddle(const std::vector<Light>& lights, const Stage& stag
 /// Photometric intensities may be thousands of times what a picture can show: the exposure brings them back.
 void setExposure(Scene& scene, const Stage& stage, const std::filesystem::path& file) {
     const double irradiance = irradianceInTheMiddle(scene.lights, stage);
-    constexpr double kDarkest = 0.5, kBrightest = 6.0; // a sixth of, and twice what lights a stage: these are as the file's author set them
+    constexpr double kDarkest = 0.5,
+                     kBrightest = 6.0; // a sixth of, and twice what lights a stage: these are as the file's author set them
     if (!(irradiance > 0) || (irradiance >= kDarkest && irradiance <= kBrightest)) return;
     constexpr double kLargest = 65504; // of half floats, in which pictures are before exposure
     scene.exposure = static_cast<float>(std::clamp(kStageIrradiance / irradiance, 1 / kLargest, kLargest));

@@ -16,8 +16,7 @@ tinygltf::Model tinygltfModel(const GltfSource& source) {
     std::string error, warning;
     const std::string& text = source.checkedText();
     if (text.size() > 0xffffffffu || // it counts in 32 bits
-        !reader.LoadASCIIFromString(&model, &error, &warning, text.c_str(), static_cast<unsigned>(text.size()), "",
-                                    tinygltf::NO_REQUIRE))
+        !reader.LoadASCIIFromString(&model, &error, &warning, text.c_str(), static_cast<unsigned>(text.size()), "", tinygltf::NO_REQUIRE))
         source.document().fail(0, "tinygltf refuses the file: " + shown(error, 200) + "; export the model again");
     return model;
 }

@@ -205,7 +205,8 @@ std::vector<ObjectReader::LoadedMesh> ObjectReader::loadedGltf(const ReferredFil
     for (GltfObject& object : gltf.objects) {
         LoadedMesh& mesh = loaded.emplace_back();
         for (const std::uint32_t material : object.partMaterials)
-            mesh.partMaterials.push_back(material == GltfObject::kNoMaterial ? kWhite : materialOfFile(file.canonical, gltf.materials[material]));
+            mesh.partMaterials.push_back(
+                material == GltfObject::kNoMaterial ? kWhite : materialOfFile(file.canonical, gltf.materials[material]));
         mesh.mesh = std::move(object.mesh);
         mesh.file = file.canonical;
         mesh.node = object.name;

@@ -28,7 +28,8 @@ std::string withJson(const std::string& bytes, std::size_t formerSize, std::stri
 }
 
 /// The text with the new places of its files, and copies of these. The file was read before without a fault.
-std::string packedText(const std::filesystem::path& file, const LoadOptions& options, const std::filesystem::path& folder, PackedFiles& files) {
+std::string packedText(const std::filesystem::path& file, const LoadOptions& options, const std::filesystem::path& folder,
+                       PackedFiles& files) {
     const GltfContainer container = gltfContainer(readFile(file, options.limits.fileBytes), file);
     const JsonDocument document(container.json, file, options.limits.jsonDepth);
     GltfFiles beside(file, options);
@@ -60,9 +61,8 @@ std::string packedText(const std::filesystem::path& file, const LoadOptions& opt
 } // namespace
 
 std::filesystem::path packGltf(const std::filesystem::path& file, const LoadOptions& options, PackedFiles& files) {
-    return files.add(std::filesystem::weakly_canonical(file), "meshes", file.filename().string(), [&](const std::filesystem::path& place) {
-        return packedText(file, options, place.parent_path(), files);
-    });
+    return files.add(std::filesystem::weakly_canonical(file), "meshes", file.filename().string(),
+                     [&](const std::filesystem::path& place) { return packedText(file, options, place.parent_path(), files); });
 }
 
 } // namespace shadowlab::scene

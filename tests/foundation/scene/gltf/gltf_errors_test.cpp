@@ -54,7 +54,8 @@ TEST(GltfErrors, EachNamesItsPlace) {
         {"glTF version \"1.0\", and only 2.0 is read", set("/asset/version", "1.0")},
         {"\"asset\" with its \"version\" is missing", set("/asset", Json::object())},
         {"extensionsRequired names \"KHR_draco_mesh_compression\"", set("/extensionsRequired", {"KHR_draco_mesh_compression"})},
-        {"extensionsRequired names \"EXT_meshopt_compression\"", set("/extensionsRequired", {"KHR_texture_transform", "EXT_meshopt_compression"})},
+        {"extensionsRequired names \"EXT_meshopt_compression\"",
+         set("/extensionsRequired", {"KHR_texture_transform", "EXT_meshopt_compression"})},
         {"accessors is an object; it must be an array", set("/accessors", Json::object())},
         {"accessors[0] is a number; it must be an object", set("/accessors/0", 3)},
         {"accessors[0].count is a string; it must be a number", set("/accessors/0/count", "3")},
@@ -73,16 +74,25 @@ TEST(GltfErrors, EachNamesItsPlace) {
         {"bufferViews[0] reaches beyond its buffer", set("/bufferViews/0/byteLength", 9999)},
         {"bufferViews[2] reaches beyond its buffer", set("/bufferViews/2/byteOffset", 9007199254740991)},
         {"bufferViews[0].buffer is 1, but the file has 1 element in \"buffers\"", set("/bufferViews/0/buffer", 1)},
-        {"buffers[0] is said to have 9999 bytes, but only 3 are there", set("/buffers", {{{"byteLength", 9999}, {"uri", "data:;base64,AAAA"}}})},
-        {"buffers[0] has a data: URI that is not well-formed base64", set("/buffers", {{{"byteLength", 3}, {"uri", "data:application/octet-stream;base64,A!AA"}}})},
-        {"buffers[0] has a data: URI that is not well-formed base64", set("/buffers", {{{"byteLength", 3}, {"uri", "data:text/plain,abc"}}})},
+        {"buffers[0] is said to have 9999 bytes, but only 3 are there",
+         set("/buffers", {{{"byteLength", 9999}, {"uri", "data:;base64,AAAA"}}})},
+        {"buffers[0] has a data: URI that is not well-formed base64",
+         set("/buffers", {{{"byteLength", 3}, {"uri", "data:application/octet-stream;base64,A!AA"}}})},
+        {"buffers[0] has a data: URI that is not well-formed base64",
+         set("/buffers", {{{"byteLength", 3}, {"uri", "data:text/plain,abc"}}})},
         {"buffers[0] has no uri, and the file has no binary chunk", set("/buffers", {{{"byteLength", 3}}})},
-        {"buffers[0] names \"no such.bin\", which cannot be read: No such file", set("/buffers", {{{"byteLength", 3}, {"uri", "no such.bin"}}})},
-        {"buffers[0] names \"https://x.org/a.bin\", which is an address", set("/buffers", {{{"byteLength", 3}, {"uri", "https://x.org/a.bin"}}})},
-        {"buffers[0] names \"file:///etc/passwd\", which is an address", set("/buffers", {{{"byteLength", 3}, {"uri", "file:///etc/passwd"}}})},
-        {"which lies outside the folders this scene may read", set("/buffers", {{{"byteLength", 3}, {"uri", "..%2f..%2f..%2f..%2fetc/passwd"}}})},
-        {"meshes[0].primitives[0].attributes.POSITION is 99, but the file has 3 elements in \"accessors\"", set("/meshes/0/primitives/0/attributes/POSITION", 99)},
-        {"meshes[0].primitives[0].material is -1, but the file has 1 element in \"materials\"", set("/meshes/0/primitives/0/material", -1)},
+        {"buffers[0] names \"no such.bin\", which cannot be read: No such file",
+         set("/buffers", {{{"byteLength", 3}, {"uri", "no such.bin"}}})},
+        {"buffers[0] names \"https://x.org/a.bin\", which is an address",
+         set("/buffers", {{{"byteLength", 3}, {"uri", "https://x.org/a.bin"}}})},
+        {"buffers[0] names \"file:///etc/passwd\", which is an address",
+         set("/buffers", {{{"byteLength", 3}, {"uri", "file:///etc/passwd"}}})},
+        {"which lies outside the folders this scene may read",
+         set("/buffers", {{{"byteLength", 3}, {"uri", "..%2f..%2f..%2f..%2fetc/passwd"}}})},
+        {"meshes[0].primitives[0].attributes.POSITION is 99, but the file has 3 elements in \"accessors\"",
+         set("/meshes/0/primitives/0/attributes/POSITION", 99)},
+        {"meshes[0].primitives[0].material is -1, but the file has 1 element in \"materials\"",
+         set("/meshes/0/primitives/0/material", -1)},
         {"meshes[0].primitives[0].mode is 7; it must be a whole number from 0 to 6", set("/meshes/0/primitives/0/mode", 7)},
         {"meshes[0].primitives[0] has no \"attributes\"", set("/meshes/0/primitives/0", Json::object())},
         {"has a NORMAL (accessors[1]) with fewer elements, 2, than the 3 positions", set("/accessors/1/count", 2)},
@@ -94,21 +104,34 @@ TEST(GltfErrors, EachNamesItsPlace) {
         {"nodes[0].matrix has 4 numbers; it must have 16", set("/nodes/0/matrix", {1, 0, 0, 1})},
         {"nodes[0] has a matrix whose last row is not 0 0 0 1", set("/nodes/0/matrix", {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1})},
         {"nodes[0] is its own ancestor", set("/nodes/0/children", {0})},
-        {"nodes[1] is a child of nodes[0] and of nodes[2]", [](MadeGltf& made) { made.json["nodes"][0]["children"] = {1}; made.json["nodes"][2]["children"] = {1}; }},
+        {"nodes[1] is a child of nodes[0] and of nodes[2]",
+         [](MadeGltf& made) {
+             made.json["nodes"][0]["children"] = {1};
+             made.json["nodes"][2]["children"] = {1};
+         }},
         {"scenes[0] names nodes[1], which is a child of nodes[0]", set("/nodes/0/children", {1})},
         {"scenes[0] names nodes[0] twice", set("/scenes/0/nodes", {0, 0})},
         {"scene is 3, but the file has 1 element in \"scenes\"", set("/scene", 3)},
         {"nodes[0] reaches beyond 1e+15 m from the origin", set("/nodes/0/translation", {1e16, 0, 0})},
-        {"where no numbers are left", [](MadeGltf& made) { made.json["nodes"][0]["scale"] = {1e200, 1, 1}; made.addNode({{"scale", {1e200, 1, 1}}, {"children", {0}}}); made.json["scenes"][0]["nodes"].erase(0); }},
+        {"where no numbers are left",
+         [](MadeGltf& made) {
+             made.json["nodes"][0]["scale"] = {1e200, 1, 1};
+             made.addNode({{"scale", {1e200, 1, 1}}, {"children", {0}}});
+             made.json["scenes"][0]["nodes"].erase(0);
+         }},
         {"materials[0].alphaMode is \"SEE\"; it must be one of OPAQUE, MASK, BLEND", set("/materials/0/alphaMode", "SEE")},
-        {"materials[0].pbrMetallicRoughness.baseColorFactor has 3 numbers; it must have 4", set("/materials/0/pbrMetallicRoughness/baseColorFactor", {1, 1, 1})},
-        {"materials[0].pbrMetallicRoughness.baseColorTexture.index is 0, but the file has no \"textures\"", set("/materials/0/pbrMetallicRoughness/baseColorTexture", {{"index", 0}})},
+        {"materials[0].pbrMetallicRoughness.baseColorFactor has 3 numbers; it must have 4",
+         set("/materials/0/pbrMetallicRoughness/baseColorFactor", {1, 1, 1})},
+        {"materials[0].pbrMetallicRoughness.baseColorTexture.index is 0, but the file has no \"textures\"",
+         set("/materials/0/pbrMetallicRoughness/baseColorTexture", {{"index", 0}})},
         {"cameras[0] has a yfov of 4 radians", set("/cameras/0/perspective/yfov", 4)},
         {"cameras[0] sees from znear 0 to zfar 0", set("/cameras/0/perspective/znear", 0)},
         {"cameras[0] is of type \"orthographic\" and has no \"orthographic\"", set("/cameras/0/type", "orthographic")},
-        {"lights[0].type is \"sun\"; it must be one of directional, point, spot", set("/extensions/KHR_lights_punctual/lights/0/type", "sun")},
+        {"lights[0].type is \"sun\"; it must be one of directional, point, spot",
+         set("/extensions/KHR_lights_punctual/lights/0/type", "sun")},
         {"lights[0] is of type \"spot\" and has no \"spot\"", set("/extensions/KHR_lights_punctual/lights/0/type", "spot")},
-        {"lights[0] is a spot light whose cone is from 2 to 1 radians", set("/extensions/KHR_lights_punctual/lights/0", {{"type", "spot"}, {"spot", {{"innerConeAngle", 2}, {"outerConeAngle", 1}}}})},
+        {"lights[0] is a spot light whose cone is from 2 to 1 radians",
+         set("/extensions/KHR_lights_punctual/lights/0", {{"type", "spot"}, {"spot", {{"innerConeAngle", 2}, {"outerConeAngle", 1}}}})},
         {"nodes[1].extensions.KHR_lights_punctual.light is 7", set("/nodes/1/extensions/KHR_lights_punctual/light", 7)},
         {"has no triangles to show (meshes[0]: points have no surface", set("/meshes/0/primitives/0/mode", 0)},
     };
@@ -152,7 +175,8 @@ TEST(GltfErrors, SparseIndicesRiseAndStayWithin) {
     const auto with = [](const std::vector<std::uint16_t>& indices, int count) {
         MadeGltf made;
         const int at = made.view(bytesOf(indices)), values = made.view(bytesOf<float>({0, 0, 0, 0, 0, 0}));
-        made.json["accessors"][0]["sparse"] = {{"count", count}, {"indices", {{"bufferView", at}, {"componentType", 5123}}}, {"values", {{"bufferView", values}}}};
+        made.json["accessors"][0]["sparse"] = {
+            {"count", count}, {"indices", {{"bufferView", at}, {"componentType", 5123}}}, {"values", {{"bufferView", values}}}};
         return made;
     };
     expectOneLine(refusal(with({2, 1}, 2)), ExitStatus::badInput, "accessors[0] has the sparse index 1 after 2; they must rise");
@@ -185,7 +209,8 @@ TEST(GltfErrors, NoJsonIsSaidToBeNone) {
     const auto refused = [](const std::string& text) {
         return errorOf([&] { (void)parseGltf(text, "made.gltf", NormalMode::file, {}); });
     };
-    for (const std::string text : {"", "v 0 0 0\n", "[1, 2", "{\"asset\": }", "[]", "{}", "{\"asset\": {\"version\": \"2.0\"}, \"asset\": 1}"})
+    for (const std::string text :
+         {"", "v 0 0 0\n", "[1, 2", "{\"asset\": }", "[]", "{}", "{\"asset\": {\"version\": \"2.0\"}, \"asset\": 1}"})
         expectOneLine(refused(text), ExitStatus::badInput, "made.gltf:1:");
     expectOneLine(refused("{\"asset\": {\"version\": \"2.0\"}, \"extras\": " + std::string(5000, '[') + std::string(5000, ']') + "}"),
                   ExitStatus::overLimit, "nested deeper than 64 levels");

@@ -88,8 +88,8 @@ TEST(GltfGeometry, StripsAndFansAreTheirTriangles) {
     for (const int mode : {5, 6}) {
         MadeGltf made;
         made.primitive()["attributes"]["POSITION"] = made.add<float>(square, 5126, "VEC3", 4);
-        made.primitive()["indices"] = mode == 5 ? made.add<std::uint8_t>({0, 1, 2, 3}, 5121, "SCALAR", 4)
-                                                : made.add<std::uint8_t>({0, 1, 3, 2}, 5121, "SCALAR", 4);
+        made.primitive()["indices"] =
+            mode == 5 ? made.add<std::uint8_t>({0, 1, 2, 3}, 5121, "SCALAR", 4) : made.add<std::uint8_t>({0, 1, 3, 2}, 5121, "SCALAR", 4);
         made.primitive()["mode"] = mode;
         const Mesh mesh = *made.parsed().objects.at(0).mesh;
         EXPECT_EQ(mesh.triangles.size(), 2u) << mode;
@@ -134,7 +134,8 @@ TEST(GltfGeometry, SparseValuesReplaceThoseOfTheViewOrZeros) {
     MadeGltf made;
     const int indices = made.view(bytesOf<std::uint16_t>({1, 2})), values = made.view(bytesOf<float>({3, 0, 0, 0, 4, 0}));
     Json& accessor = made.json["accessors"][0];
-    accessor["sparse"] = {{"count", 2}, {"indices", {{"bufferView", indices}, {"componentType", 5123}}}, {"values", {{"bufferView", values}}}};
+    accessor["sparse"] = {
+        {"count", 2}, {"indices", {{"bufferView", indices}, {"componentType", 5123}}}, {"values", {{"bufferView", values}}}};
     EXPECT_EQ(cornersWorld(made.parsed().objects.at(0)), (Corners{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}));
     accessor.erase("bufferView");
     EXPECT_EQ(cornersWorld(made.parsed().objects.at(0)), (Corners{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}));
@@ -142,7 +143,8 @@ TEST(GltfGeometry, SparseValuesReplaceThoseOfTheViewOrZeros) {
 
 TEST(GltfGeometry, ColoursOfVerticesAreLinear) {
     MadeGltf made;
-    made.primitive()["attributes"]["COLOR_0"] = made.add<std::uint8_t>({255, 0, 51, 0, 0, 255, 0, 0, 0, 0, 255, 0}, 5121, "VEC4", 3, true);
+    made.primitive()["attributes"]["COLOR_0"] =
+        made.add<std::uint8_t>({255, 0, 51, 0, 0, 255, 0, 0, 0, 0, 255, 0}, 5121, "VEC4", 3, true);
     const GltfFile file = made.parsed();
     EXPECT_EQ(file.objects.at(0).mesh->colors, (std::vector<vec3>{{1, 0, vec3(dvec3(51 / 255.0)).x}, {0, 1, 0}, {0, 0, 1}}));
     ASSERT_EQ(file.objects[0].partMaterials.size(), 1u);
@@ -161,7 +163,8 @@ TEST(GltfGeometry, EachPrimitiveIsAPartWithItsMaterial) {
     MadeGltf made;
     made.json["materials"] = {{{"name", "red"}}, {{"name", "red"}}};
     made.primitive()["material"] = 1;
-    made.json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", made.add<float>({0, 0, 1, 1, 0, 1, 0, 1, 1}, 5126, "VEC3", 3)}}}, {"material", 0}});
+    made.json["meshes"][0]["primitives"].push_back(
+        {{"attributes", {{"POSITION", made.add<float>({0, 0, 1, 1, 0, 1, 0, 1, 1}, 5126, "VEC3", 3)}}}, {"material", 0}});
     const GltfFile file = made.parsed();
     ASSERT_EQ(file.objects.at(0).mesh->parts.size(), 2u);
     EXPECT_EQ(file.objects[0].partMaterials, (std::vector<std::uint32_t>{1, 0}));
@@ -180,10 +183,9 @@ TEST(GltfGeometry, AMeshFarFromItsOriginKeepsItsDetail) {
 
 TEST(GltfGeometry, TheSameMeshAsAnObjFileIsTheSameToTheBit) {
     MadeGltf made;
-    made.primitive()["attributes"] = {
-        {"POSITION", made.add<float>({0, 0, 0, 1.25f, 0, 0, 1, 1, 0.5f, 0, 1.5f, 0}, 5126, "VEC3", 4)},
-        {"NORMAL", made.add<float>({0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 0, 1}, 5126, "VEC3", 4)},
-        {"TEXCOORD_0", made.add<float>({0, 1, 1, 1, 1, 0, 0, 0.25f}, 5126, "VEC2", 4)}};
+    made.primitive()["attributes"] = {{"POSITION", made.add<float>({0, 0, 0, 1.25f, 0, 0, 1, 1, 0.5f, 0, 1.5f, 0}, 5126, "VEC3", 4)},
+                                      {"NORMAL", made.add<float>({0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 0, 1}, 5126, "VEC3", 4)},
+                                      {"TEXCOORD_0", made.add<float>({0, 1, 1, 1, 1, 0, 0, 0.25f}, 5126, "VEC2", 4)}};
     made.primitive()["indices"] = made.add<std::uint16_t>({0, 1, 2, 0, 2, 3}, 5123, "SCALAR", 6);
     made.material()["name"] = "m";
     const TempFolder folder;

@@ -104,7 +104,8 @@ TEST(GltfMaterials, ExtensionsThatAreServed) {
     material["extensions"] = {{"KHR_materials_unlit", Json::object()}};
     EXPECT_EQ(materialOf(made).specular, vec3(0));
     EXPECT_TRUE(contains(joinedNotes(made.parsed().notes), "materials[0]: is unlit")) << joinedNotes(made.parsed().notes);
-    material["extensions"] = {{"KHR_materials_pbrSpecularGlossiness", {{"diffuseFactor", {0.5, 0.5, 0.5, 1}}, {"specularFactor", {0.2, 0.2, 0.2}}, {"glossinessFactor", 0.5}}}};
+    material["extensions"] = {{"KHR_materials_pbrSpecularGlossiness",
+                               {{"diffuseFactor", {0.5, 0.5, 0.5, 1}}, {"specularFactor", {0.2, 0.2, 0.2}}, {"glossinessFactor", 0.5}}}};
     expectNear(materialOf(made).diffuse, vec3(0.4f), kFloat, "what the specular colour leaves");
     EXPECT_EQ(materialOf(made).shininess, 30);
 }
@@ -122,7 +123,8 @@ TEST(GltfMaterials, AnImageIsTheSameWhereverItIsStored) {
         notes += joinedNotes(file.notes);
         return file.materials.at(0).colorImage;
     };
-    const auto beside = colorsOf({{"uri", "a%20b.png"}}, ""), embedded = colorsOf({{"uri", "data:image/png;base64," + base64(fourColors())}}, ""),
+    const auto beside = colorsOf({{"uri", "a%20b.png"}}, ""),
+               embedded = colorsOf({{"uri", "data:image/png;base64," + base64(fourColors())}}, ""),
                inBuffer = colorsOf({{"mimeType", "image/png"}}, fourColors());
     EXPECT_EQ(notes, "");
     const auto misnamed = colorsOf({{"uri", "A%20B.PNG"}}, "");
@@ -225,7 +227,8 @@ TEST(GltfMaterials, ImagesOfMetalAndEmissionCountWithTheirMean) {
     material["emissiveFactor"] = {1, 1, 1};
     material["emissiveTexture"] = {{"index", 0}};
     expectNear(materialOf(made).emission,
-               vec3(0, (image::linearFromSrgb(51) + image::linearFromSrgb(153)) / 2, image::linearFromSrgb(102) / 2), kFloat, "linear light");
+               vec3(0, (image::linearFromSrgb(51) + image::linearFromSrgb(153)) / 2, image::linearFromSrgb(102) / 2), kFloat,
+               "linear light");
     const std::string notes = joinedNotes(made.parsed().notes);
     EXPECT_TRUE(contains(notes, "the image of metal and roughness counts with its mean")) << notes;
     EXPECT_TRUE(contains(notes, "the image of its emission counts with its mean colour")) << notes;

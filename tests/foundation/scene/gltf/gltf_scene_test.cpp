@@ -23,7 +23,8 @@ TEST(GltfLights, StandAndShineAsTheirNodesDo) {
     Json above = kDown;
     above["translation"] = {1, 5, 2};
     above["name"] = "lamp";
-    made.light(above) = {{"type", "spot"}, {"intensity", 40}, {"color", {1, 0.5, 0}}, {"spot", {{"innerConeAngle", 0.25}, {"outerConeAngle", 0.75}}}};
+    made.light(above) = {
+        {"type", "spot"}, {"intensity", 40}, {"color", {1, 0.5, 0}}, {"spot", {{"innerConeAngle", 0.25}, {"outerConeAngle", 0.75}}}};
     made.light(kDown) = {{"type", "directional"}, {"intensity", 3}};
     made.light({{"translation", {0, 2, 0}}, {"scale", {7, 7, 7}}}) = {{"type", "point"}};
     const std::vector<Light> lights = made.parsed().lights;
@@ -67,7 +68,8 @@ TEST(GltfCameras, ProjectAsGltfSays) {
     EXPECT_EQ(camera.near, 0.25);
     EXPECT_EQ(camera.far, 50);
     // A point 2 to the right, 1 up and 8 before the camera: x = 2 / 8 and y = 1 / 8, over the tangent of half the angle.
-    const dvec3 point = dvec3(3, 1, 4) + 2.0 * dvec3(std::cos(0.6), 0, -std::sin(0.6)) + dvec3(0, 1, 0) - 8.0 * dvec3(std::sin(0.6), 0, std::cos(0.6));
+    const dvec3 point =
+        dvec3(3, 1, 4) + 2.0 * dvec3(std::cos(0.6), 0, -std::sin(0.6)) + dvec3(0, 1, 0) - 8.0 * dvec3(std::sin(0.6), 0, std::cos(0.6));
     const dvec4 clip = clipFromView(camera, 1.5) * viewFromWorld(camera) * dvec4(point, 1);
     EXPECT_NEAR(clip.x / clip.w, 2.0 / 8 / std::tan(0.4) / 1.5, kRounding);
     EXPECT_NEAR(clip.y / clip.w, 1.0 / 8 / std::tan(0.4), kRounding);
@@ -140,8 +142,11 @@ struct SceneOfTwo {
         folder.write("m.gltf", made.text());
     }
     [[nodiscard]] Snapshot with(const std::string& objects, const std::string& more = "") const {
-        return loadScene(folder.write("s.json", R"({"camera": {"position": [0, 0, 9], "target": [0, 0, 0]}, )" + more +
-                                                    R"("lights": [], "objects": [)" + objects + "]}").string(), {});
+        return loadScene(folder
+                             .write("s.json", R"({"camera": {"position": [0, 0, 9], "target": [0, 0, 0]}, )" + more +
+                                                  R"("lights": [], "objects": [)" + objects + "]}")
+                             .string(),
+                         {});
     }
 };
 
