@@ -116,5 +116,6 @@ GLTF = [
     refused_scene("a node that the glTF file has not", scene(objects=NODE_OF_SCENE), "did you mean", files={
         "m.gltf": json.dumps({**triangle(), "nodes": [{"mesh": 0}, {"mesh": 0}], "scenes": [{"nodes": [0, 1]}]})}),
     Row("a view that the scene has not", {"m.gltf": json.dumps(triangle())}, captured("m.gltf", "--view", "above"), 2, ["--view", "above"]),
-    Row("more triangles than the limit", {"m.gltf": json.dumps(triangle())}, captured("m.gltf", "--limit", "triangles=0"), 6, ["m.gltf", "triangle"]),
+    Row("more triangles than the limit", {"m.gltf": json.dumps({**triangle(), "nodes": [{"mesh": 0}, {"mesh": 0}], "scenes": [{"nodes": [0, 1]}]})},
+        captured("m.gltf", "--limit", "triangles=1"), 6, ["m.gltf", "2 triangles"]),
 ]

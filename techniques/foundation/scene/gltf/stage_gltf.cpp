@@ -85,6 +85,7 @@ std::shared_ptr<const Scene> stagedGltf(GltfFile gltf, const std::filesystem::pa
         for (const std::uint32_t material : from.partMaterials)
             object.partMaterials.push_back(material == GltfObject::kNoMaterial ? kClay : firstMaterial + material);
         object.source.mesh = canonical;
+        object.source.objectFromNode = from.worldFromNode;
         if (gltf.objects.size() > 1) object.source.node = from.name;
         bounds.include(boundsWorld(object));
     }
@@ -92,7 +93,7 @@ std::shared_ptr<const Scene> stagedGltf(GltfFile gltf, const std::filesystem::pa
     Bounds meshWorld;
     for (Object& object : scene->objects) {
         object.source.translateWorld = toStage;
-        object.worldFromObject[3] += dvec4(toStage, 0.0);
+        object.worldFromObject = worldFromObjectOf(object.source);
         meshWorld.include(boundsWorld(object));
     }
     const Stage stage = stageAround(meshWorld, largestExtent(bounds));

@@ -329,10 +329,9 @@ void ObjectReader::add(const JsonObject& keys, LoadedMesh loaded, const std::str
                      .normals = keys.find("normals") ? keys.text("normals") : "",
                      .scale = scaleOf(keys),
                      .rotateDegrees = keys.vector("rotateDegrees", reading_.anyNumber(), dvec3(0)),
-                     .translateWorld = keys.vector("translate", reading_.anyNumber(), dvec3(0))};
-    object.worldFromObject =
-        worldFromObjectOf(object.source.scale, object.source.rotateDegrees, object.source.translateWorld);
-    if (loaded.objectFromNode != dmat4(1.0)) object.worldFromObject *= loaded.objectFromNode;
+                     .translateWorld = keys.vector("translate", reading_.anyNumber(), dvec3(0)),
+                     .objectFromNode = loaded.objectFromNode};
+    object.worldFromObject = worldFromObjectOf(object.source);
     object.castsShadow = keys.boolean("castsShadow", true);
     object.receivesShadow = keys.boolean("receivesShadow", true);
     object.velocityWorld = keys.vector("velocity", reading_.anyNumber(), dvec3(0));

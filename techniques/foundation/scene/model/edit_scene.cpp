@@ -10,7 +10,10 @@ namespace {
 /// The matrix is computed from the source, so that a scene that is written and read again is the same to the last bit.
 void move(Object& object, const dvec3& byWorld) {
     object.source.translateWorld += byWorld;
-    object.worldFromObject[3] = dvec4(object.source.translateWorld, 1.0);
+    if (object.source.objectFromNode == dmat4(1.0))
+        object.worldFromObject[3] = dvec4(object.source.translateWorld, 1.0);
+    else
+        object.worldFromObject = worldFromObjectOf(object.source);
 }
 
 } // namespace

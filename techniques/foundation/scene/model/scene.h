@@ -62,7 +62,11 @@ struct ObjectSource {
     std::string material;       ///< the scene's material it was given; empty: none
     std::string normals;        ///< "file", "flat" or "smooth"; empty: not said
     dvec3 scale{1.0}, rotateDegrees{0.0}, translateWorld{0.0};
+    dmat4 objectFromNode{1.0}; ///< where the file itself puts it, before all that
 };
+
+/// Scale, then rotate about world x, then y, then z, then translate, applied to the thing where its file puts it.
+dmat4 worldFromObjectOf(const ObjectSource& source);
 
 struct Scene;
 

@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/scene/json/write_scene.h"
+#include "techniques/foundation/scene/model/edit_scene.h"
 #include "tests/foundation/scene/gltf/gltf_file.h"
 
 namespace shadowlab::scene {
@@ -194,6 +195,19 @@ TEST(GltfInScenes, AStagedFileIsTheSameWhenItWasWrittenAndRead) {
         EXPECT_EQ(first->objects[i].mesh->positionsMesh, again->objects[i].mesh->positionsMesh);
         EXPECT_EQ(materialOfTriangle(*first, first->objects[i], 0).diffuse, materialOfTriangle(*again, again->objects[i], 0).diffuse);
     }
+}
+
+TEST(GltfInScenes, AnObjectThatIsMovedStaysWhereItsNodeIsAndIsWrittenSo) {
+    const SceneOfTwo files;
+    const Snapshot scene = files.with(R"({"mesh": "m.gltf", "scale": 0.3, "rotateDegrees": [10, 20, 30], "translate": [1, 0, 0]})");
+    const Snapshot moved = withObjectMovedBy(scene, 1, {0.1, 0.7, -3});
+    EXPECT_EQ(moved->objects[0].worldFromObject, scene->objects[0].worldFromObject);
+    const dvec3 before(scene->objects[1].worldFromObject[3]), after(moved->objects[1].worldFromObject[3]);
+    EXPECT_LT(glm::length(after - before - dvec3(0.1, 0.7, -3)), kRounding);
+    const Snapshot again = loadScene(files.folder.write("t.json", sceneText(*moved, moved->camera, files.folder.path())).string(), {});
+    ASSERT_EQ(again->objects.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_EQ(again->objects[i].worldFromObject, moved->objects[i].worldFromObject) << "to the last bit";
 }
 
 TEST(Views, AreReadAndWritten) {
