@@ -20,6 +20,7 @@
 #include "app/picture/limits.h"
 #include "app/student/plugins.h"
 #include "techniques/foundation/base/nearest_names.h"
+#include "techniques/foundation/scene/gltf/load_gltf.h"
 #include "techniques/foundation/scene/load/load.h"
 
 namespace shadowlab::cli {
@@ -60,7 +61,7 @@ void refuseLeftOver(const CLI::App& command) {
 bool isScene(const std::string& word) {
     const std::string ending = std::filesystem::path(word).extension().string();
     const std::vector<std::string> builtIn = scene::builtInScenes(context::assetsRoot());
-    return ending == ".json" || ending == ".obj" || std::ranges::find(builtIn, word) != builtIn.end();
+    return ending == ".json" || ending == ".obj" || scene::isGltfFile(word) || std::ranges::find(builtIn, word) != builtIn.end();
 }
 
 /// Without a command: `shadowlab SCENE` is the demo of that scene, and `shadowlab` alone that of the first one.

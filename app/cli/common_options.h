@@ -11,6 +11,11 @@ namespace shadowlab::cli {
 /// The argument SCENE: one scene.
 void describeScene(DescribedOptions& add);
 
+/// --view: one of the scene's own cameras, in place of the one it begins with.
+void describeView(DescribedOptions& add);
+/// The scene, seen from the view of that name; from its own camera where `view` is empty. Throws Error, also for an unknown view (usage).
+scene::Snapshot loadSeenFrom(const std::string& scene, const std::string& view, const std::vector<std::filesystem::path>& allowed);
+
 /// --backend: which OpenGL context draws.
 void describeBackend(DescribedOptions& add);
 /// Throws Error (usage) for an unknown backend.

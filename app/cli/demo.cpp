@@ -33,7 +33,7 @@ struct DemoOptions {
 };
 
 void describeDemo(DescribedOptions& add) {
-    add.option("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh (default still-life)");
+    add.option("SCENE", "", "a built-in name (`list scenes`), a .json scene or a mesh (.obj, .gltf, .glb; default still-life)");
     add.option("--lesson", "LESSON", "begins with a lesson (`list lessons`, or a .json file); J goes on");
     add.option("--deck", "DECK", "begins with slides (`list decks`, or a .json file); S goes on");
     add.option("--slide", "NAME", "which of the deck's slides (default the first)");

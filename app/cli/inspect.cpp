@@ -20,13 +20,13 @@ namespace shadowlab::cli {
 namespace {
 
 struct InspectOptions {
-    std::string file; ///< an .obj, a .json or the name of a built-in scene
+    std::string file; ///< a mesh, a .json or the name of a built-in scene
     bool json = false;
     std::vector<std::filesystem::path> allowed; ///< further folders a scene may take meshes from
 };
 
 void describeInspect(DescribedOptions& add) {
-    add.option("FILE", "", "an .obj mesh, a .json scene or a built-in name (`list scenes`)");
+    add.option("FILE", "", "a mesh (.obj, .gltf, .glb), a .json scene or a built-in name (`list scenes`)");
     add.flag("--json", "one JSON object instead of a table");
     add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
     add.footer("Examples:\n"
@@ -155,19 +155,30 @@ std::string emitterWords(const std::vector<InspectedEmitter>& emitters) {
     return named(words);
 }
 
+/// A scene file has one camera beside its views; of a glTF file all are views.
+std::size_t camerasOf(const Inspection& inspection) {
+    return inspection.scene->views.size() + (inspection.kind == "scene" ? 1 : 0);
+}
+
 std::string sceneLines(const Inspection& inspection) {
     const SceneContent& content = *inspection.scene;
     std::string lights;
     for (const auto& [type, count] : content.lights)
         if (count > 0) lights += (lights.empty() ? "" : ", ") + std::to_string(count) + " " + type;
     const auto orNone = [](const std::string& text) { return text.empty() ? "none" : text; };
-    const Rows rows{{"objects", std::to_string(content.objects)},
-                    {"triangles", std::to_string(inspection.triangles)},
-                    {"lights", orNone(lights)},
-                    {"cameras", "1"},
-                    {"emitters", orNone(emitterWords(inspection.emitters))},
-                    {"cast no shadow", orNone(named(content.castNoShadow))},
-                    {"receive no shadow", orNone(named(content.receiveNoShadow))}};
+    Rows rows{{"objects", std::to_string(content.objects)},
+              {"triangles", std::to_string(inspection.triangles)},
+              {"lights", orNone(lights)},
+              {"cameras", std::to_string(camerasOf(inspection))},
+              {"emitters", orNone(emitterWords(inspection.emitters))},
+              {"cast no shadow", orNone(named(content.castNoShadow))},
+              {"receive no shadow", orNone(named(content.receiveNoShadow))}};
+    if (inspection.kind == "gltf") {
+        rows.resize(rows.size() - 2); // it cannot say who casts shadows
+        rows.insert(rows.begin(), {"nodes", std::to_string(content.nodes)});
+        rows.push_back({"images", std::to_string(content.images)});
+    }
+    if (!content.views.empty()) rows.push_back({"views", named(content.views)});
     return aligned(rows, terminalColumns());
 }
 
@@ -207,7 +218,7 @@ std::string oddities(const InspectedMesh& mesh) {
 
 std::string text(const Inspection& inspection) {
     const bool bare = !inspection.scene;
-    std::string text = scene::shown(inspection.file, 4096) + (bare ? ": a mesh\n\n" : ": a scene\n\n");
+    std::string text = scene::shown(inspection.file, 4096) + (bare ? ": a mesh\n\n" : inspection.kind == "gltf" ? ": a glTF file\n\n" : ": a scene\n\n");
     text += bare ? meshLines(inspection.meshes.front()) : sceneLines(inspection);
     if (!inspection.materials.empty()) text += "\n" + materialTable(inspection.materials);
     if (bare && !inspection.emitters.empty()) text += "emitters: " + emitterWords(inspection.emitters) + "\n";
@@ -271,14 +282,17 @@ Json inspectionJson(const Inspection& inspection) {
         for (const std::size_t mesh : remark.meshes)
             remarks.push_back(
                 {{"technique", remark.technique}, {"mesh", inspection.meshes[mesh].name}, {"remark", remark.sentence}});
-    if (inspection.scene)
+    if (inspection.scene) {
         scene = {{"objects", inspection.scene->objects},
                  {"lights", inspection.scene->lights},
-                 {"cameras", 1},
+                 {"cameras", camerasOf(inspection)},
+                 {"views", inspection.scene->views},
                  {"castNoShadow", inspection.scene->castNoShadow},
                  {"receiveNoShadow", inspection.scene->receiveNoShadow}};
+        if (inspection.kind == "gltf") scene.update({{"nodes", inspection.scene->nodes}, {"images", inspection.scene->images}});
+    }
     return {{"file", inspection.file},
-            {"kind", inspection.scene ? "scene" : "mesh"},
+            {"kind", inspection.kind},
             {"name", inspection.name},
             {"triangles", inspection.triangles},
             {"materials", materials},

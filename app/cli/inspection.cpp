@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "app/cli/common_options.h"
+#include "techniques/foundation/scene/gltf/load_gltf.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/model/surface_color.h"
@@ -69,6 +70,8 @@ SceneContent contentOf(const scene::Scene& scene) {
     using enum scene::LightType;
     for (const scene::LightType type : {point, directional, spot, rect, sphere})
         content.lights[std::string(toText(type))] = 0;
+    for (const scene::Viewpoint& viewpoint : scene.viewpoints)
+        content.views.push_back(viewpoint.name);
     for (const scene::Light& light : scene.lights)
         ++content.lights[std::string(toText(light.type))];
     return content;
@@ -110,6 +113,34 @@ scene::Scene alone(const std::string& name, scene::ObjFile obj) {
     return scene;
 }
 
+/// A glTF file as a scene of what is in it, and nothing else.
+scene::Scene alone(scene::GltfFile gltf) {
+    scene::Scene scene;
+    scene.materials = std::move(gltf.materials);
+    const auto none = static_cast<std::uint32_t>(scene.materials.size());
+    scene.materials.emplace_back(); // of parts that have none
+    for (scene::GltfObject& from : gltf.objects) {
+        scene::Object& object = scene.objects.emplace_back();
+        object.name = std::move(from.name);
+        object.mesh = std::move(from.mesh);
+        object.worldFromObject = from.worldFromNode;
+        for (const std::uint32_t material : from.partMaterials)
+            object.partMaterials.push_back(material == scene::GltfObject::kNoMaterial ? none : material);
+    }
+    scene.lights = std::move(gltf.lights);
+    scene.viewpoints = std::move(gltf.viewpoints);
+    return scene;
+}
+
+/// Names of the materials that take the colours of vertices.
+std::set<std::string> coloredByVertices(const scene::Scene& scene) {
+    std::set<std::string> names;
+    for (const scene::Object& object : scene.objects)
+        for (std::size_t part = 0; part < object.partMaterials.size(); ++part)
+            if (scene::usesVertexColors(scene, object, part)) names.insert(scene.materials[object.partMaterials[part]].name);
+    return names;
+}
+
 /// Of the materials that shine; surfaces of lights, which the scene does not name, come last and do not count.
 std::vector<InspectedEmitter> emittersAmong(const std::vector<scene::Material>& materials, std::size_t ownCount) {
     std::vector<InspectedEmitter> emitters;
@@ -136,6 +167,7 @@ Inspection inspectFile(const std::string& file, const std::vector<std::filesyste
     std::size_t lampMaterials = 0;
     if (isMeshFile(file)) { // itself, not staged: floor and light are not its own
         scene::ObjFile obj = scene::loadObj(file, scene::NormalMode::file, loading);
+        inspection.kind = "mesh";
         inspection.name = std::filesystem::path(file).stem().string();
         inspection.notes = std::move(obj.notes);
         materials = obj.materials;
@@ -145,15 +177,27 @@ Inspection inspectFile(const std::string& file, const std::vector<std::filesyste
         const scene::Scene unstaged = alone(inspection.name, std::move(obj));
         inspection.coinciding = coinciding(unstaged);
         addObjects(inspection, unstaged);
+    } else if (scene::isGltfFile(file)) {
+        scene::GltfFile gltf = scene::loadGltf(file, scene::NormalMode::file, loading);
+        inspection.kind = "gltf";
+        inspection.name = std::filesystem::path(file).stem().string();
+        inspection.notes = std::move(gltf.notes);
+        const std::size_t nodes = gltf.nodes, images = gltf.images;
+        materials = gltf.materials;
+        const scene::Scene scene = alone(std::move(gltf));
+        inspection.scene = contentOf(scene);
+        inspection.scene->nodes = nodes;
+        inspection.scene->images = images;
+        withColors = coloredByVertices(scene);
+        inspection.coinciding = coinciding(scene);
+        addObjects(inspection, scene);
     } else {
         const auto scene = scene::loadScene(file, loading);
         inspection.name = scene->name;
         inspection.notes = scene->notes;
         inspection.scene = contentOf(*scene);
         materials = scene->materials;
-        for (const scene::Object& object : scene->objects)
-            for (std::size_t part = 0; part < object.partMaterials.size(); ++part)
-                if (scene::usesVertexColors(*scene, object, part)) withColors.insert(materials[object.partMaterials[part]].name);
+        withColors = coloredByVertices(*scene);
         lampMaterials = static_cast<std::size_t>(
             std::ranges::count_if(scene->objects, [](const scene::Object& o) { return o.emitterOfLight >= 0; }));
         inspection.coinciding = coinciding(*scene);

@@ -46,6 +46,8 @@ struct MaterialLook {
 struct SceneContent {
     std::size_t objects = 0;                  ///< surfaces of lights are not counted
     std::map<std::string, int> lights;        ///< how many of each type
+    std::vector<std::string> views;           ///< names of cameras to choose from, by --view
+    std::size_t nodes = 0, images = 0;        ///< of a glTF file
     std::vector<std::string> castNoShadow;    ///< names of objects
     std::vector<std::string> receiveNoShadow; ///< names of objects
 };
@@ -58,6 +60,7 @@ struct InspectedEmitter {
 
 struct Inspection {
     std::string file, name;
+    std::string kind = "scene";        ///< or "mesh" (OBJ), or "gltf"
     std::optional<SceneContent> scene; ///< none for a bare mesh
     std::uint64_t triangles = 0;       ///< of all objects, repetitions included
     std::vector<MaterialLook> materials; ///< in the order of the file
@@ -68,7 +71,7 @@ struct Inspection {
     std::vector<Remark> remarks;            ///< in the order of the techniques
 };
 
-/// `file`: an .obj, a .json or the name of a built-in scene; `allowed`: further folders that a scene may take meshes from.
+/// `file`: an .obj, a .gltf or .glb, a .json or the name of a built-in scene; `allowed`: further folders that a scene may take meshes from.
 /// Throws Error (badInput, overLimit) for what cannot be loaded.
 Inspection inspectFile(const std::string& file, const std::vector<std::filesystem::path>& allowed);
 

@@ -31,6 +31,7 @@ struct MeasureOptions {
     ivec2 size{1280, 720};
     std::vector<std::string> settings; ///< [SLOT:]ID.PARAM=VALUE
     std::string light;                 ///< empty: the first
+    std::string view;                  ///< empty: the scene's own camera
     context::Backend backend = context::Backend::automatic;
     MotionOptions motion;
     bool json = false;
@@ -45,6 +46,7 @@ void describeMeasure(DescribedOptions& add) {
     add.option("--set", "[SLOT:]ID.PARAM=VALUE",
                "a parameter (`list parameters`), of all slots or of one; may be repeated");
     add.option("--light", "NAME", "the light whose shadows are judged (default: the first)");
+    describeView(add);
     describeBackend(add);
     describeMotion(add);
     add.flag("--json", "one JSON object instead of a table");
@@ -65,6 +67,7 @@ MeasureOptions measureOptions(const GivenOptions& given) {
     options.settings = given.texts("--set");
     lab::respell(options.techniques, {}, options.settings);
     options.light = given.text("--light");
+    options.view = given.text("--view");
     options.backend = backendFrom(given);
     options.motion = motionOptions(given);
     options.json = given.has("--json");
@@ -126,7 +129,7 @@ int measure(const MeasureOptions& options) {
         requireVisibility(*slots.back().info);
     }
     lab::applySettings(slots, options.settings);
-    const scene::Snapshot base = scene::loadScene(options.scene, loadOptions(options.allowed));
+    const scene::Snapshot base = loadSeenFrom(options.scene, options.view, options.allowed);
     const int light = lightToMeasure(*base, options.scene, options.light);
     const film::Motion motion = motionOf(options.motion, *base);
 

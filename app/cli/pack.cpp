@@ -21,7 +21,7 @@ namespace shadowlab::cli {
 namespace {
 
 struct PackOptions {
-    std::string scene;            ///< a .json, an .obj or the name of a built-in scene
+    std::string scene;            ///< a .json, a mesh or the name of a built-in scene
     std::filesystem::path output; ///< the folder to be made
     std::vector<std::filesystem::path> allowed;
 };

@@ -38,6 +38,7 @@ struct ProbeOptions {
     bool json = false;
     std::filesystem::path diagram; ///< empty: none
     std::string figure = "pixel";  ///< what is drawn there (figures/figures.h)
+    std::string view; ///< empty: the scene's own camera
     std::vector<std::filesystem::path> allowed;
 };
 
@@ -53,6 +54,7 @@ void describeProbe(DescribedOptions& add) {
                "width and height in pixels of the picture that the pixel belongs to (default 1280x720)");
     add.option("--set", "ID.PARAM=VALUE", "a parameter (`list parameters`); may be repeated");
     add.option("--light", "NAME", "the light that is asked about (default: the first)");
+    describeView(add);
     add.flag("--json", "one JSON object instead of lines");
     add.option(
         "--diagram", "OUT",
@@ -98,6 +100,7 @@ ProbeOptions probeOptions(const GivenOptions& given) {
     lab::respell(techniques, {}, options.settings);
     options.technique = techniques.front();
     options.light = given.text("--light");
+    options.view = given.text("--view");
     options.json = given.has("--json");
     options.diagram = given.text("--diagram");
     if (!options.diagram.empty()) requireDiagramEnding(options.diagram);
@@ -135,7 +138,7 @@ int probe(const ProbeOptions& options) {
     slots.push_back(picture::Session::makeSlot(options.technique));
     lab::applySettings(slots, options.settings);
     if (!options.diagram.empty()) image::probeWritable(options.diagram);
-    const scene::Snapshot scene = scene::loadScene(options.scene, loadOptions(options.allowed));
+    const scene::Snapshot scene = loadSeenFrom(options.scene, options.view, options.allowed);
     int light = scene->lights.empty() ? kNoLight : 0;
     if (!options.light.empty()) light = picture::lightIndex(*scene, options.light);
     View view;

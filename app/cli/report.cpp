@@ -16,7 +16,7 @@ namespace {
 
 void describeReport(DescribedOptions& add) {
     add.arguments("SCENE",
-                  "a built-in name, a .json scene or an .obj mesh; may be repeated (default: all built-in scenes)");
+                  "a built-in name, a .json scene or a mesh (.obj, .gltf, .glb); may be repeated (default: all built-in scenes)");
     add.option("-o,--output", "DIR", "the folder of the report; where one was begun there, it goes on");
     add.option("-t,--technique", "ID[,ID...]",
                "techniques (`list techniques`; default all that say what they make of a light)");

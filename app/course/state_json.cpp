@@ -8,6 +8,7 @@
 #include "app/course/lessons/lesson_parts.h"
 #include "app/film/light_changes.h"
 #include "app/lab/settings.h"
+#include "techniques/foundation/scene/gltf/load_gltf.h"
 #include "techniques/foundation/scene/json/scene_json.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
@@ -93,7 +94,7 @@ void StateReader::loadScene(const JsonObject& object, ShownState& state) {
     const std::string reference = object.text("scene");
     const std::string ending = std::filesystem::path(reference).extension().string();
     state.sceneName = reference;
-    if (ending == ".json" || ending == ".obj") {
+    if (ending == ".json" || ending == ".obj" || scene::isGltfFile(state.sceneName)) {
         const auto found = scene::AllowedFolders(file_, options_).resolve(reference);
         if (!found) object.fail("scene", scene::inQuotes(reference) + " " + std::string(scene::kOutsideMessage));
         state.sceneName = (file_.parent_path() / reference).string();

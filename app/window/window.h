@@ -9,7 +9,7 @@
 namespace shadowlab::window {
 
 struct WindowSettings {
-    std::string scene = "still-life"; ///< a built-in name, a .json or an .obj
+    std::string scene = "still-life"; ///< a built-in name, a .json, or a mesh
     std::string lesson;               ///< to begin with, a built-in name or a .json; empty: none
     std::string deck;                 ///< the same of slides
     std::string slide;                ///< the name of one of the deck's; empty: the first

@@ -10,6 +10,7 @@
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
+#include "techniques/foundation/scene/gltf/load_gltf.h"
 #include "techniques/foundation/scene/json/write_scene.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
@@ -98,10 +99,10 @@ void WindowFiles::openDropped(int count, const char** paths) {
         }
         std::string ending = path.extension().string();
         std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-        if (ending == ".json" || ending == ".obj")
+        if (ending == ".json" || ending == ".obj" || scene::isGltfFile(path))
             ui_.requests.scene = path.string();
         else
-            screen_.complain(scene::shownPath(path) + ": neither a .json scene nor an .obj mesh; drop one of these");
+            screen_.complain(scene::shownPath(path) + ": neither a .json scene nor a mesh (.obj, .gltf, .glb); drop one of these");
     }
 }
 

@@ -19,7 +19,8 @@ FILES = [PROGRAM, DESKTOP, f"{ICONS}/scalable/apps/shadowlab.svg", "share/doc/sh
          "share/shadowlab/assets/scenes/still-life.json", "share/shadowlab/shaders/shade_light.frag",
          "include/shadowlab/techniques/plugin.h", "include/shadowlab/glad/gl.h", "lib/cmake/shadowlab/shadowlab-config.cmake"]
 # What either package has compiled in, by the packages that it comes from.
-COMPILED_IN = ["libcli11-dev", "libeigen3-dev", "libglm-dev", "libimgui-dev", "libtinyobjloader-dev", "nlohmann-json3-dev"]
+COMPILED_IN = ["libcli11-dev", "libeigen3-dev", "libglm-dev", "libimgui-dev", "libtinygltf-dev", "libtinyobjloader-dev",
+               "nlohmann-json3-dev"]
 
 # A system with Mesa's drivers has these, in a version that its drivers can live with: a package must bring none of them.
 OF_THE_SYSTEM = {"ld-linux-x86-64.so.2", "libc.so.6", "libm.so.6", "libdl.so.2", "libpthread.so.0", "librt.so.1", "libGL.so.1", "libGLX.so.0",
@@ -28,7 +29,7 @@ OF_THE_SYSTEM = {"ld-linux-x86-64.so.2", "libc.so.6", "libm.so.6", "libdl.so.2",
 # What apt has to bring; the rest is what dpkg-shlibdeps finds. Loaded at run time, so that no tool would miss them.
 ASKED_OF_APT = ["libc6", "libstdc++6", "libcairo2", "libglfw3", "libegl1", "libgl1", "libgl1-mesa-dri"]
 # Names that Debian 12, Debian 13 and unstable do not share.
-OF_ONE_RELEASE = re.compile(r"\blib(embree|stb|tinyobjloader|osmesa)[\w.+-]*")
+OF_ONE_RELEASE = re.compile(r"\blib(embree|stb|tinygltf|tinyobjloader|osmesa)[\w.+-]*")
 
 
 def dynamic_section(file):

@@ -58,6 +58,7 @@ void describeCapture(DescribedOptions& add) {
     add.option("--set", "[SLOT:]ID.PARAM=VALUE",
                "a parameter (`list parameters`), of all slots or of one; may be repeated");
     add.option("--light", "NAME", "the light that the stage is about (default: the first)");
+    describeView(add);
     describeBackend(add);
     add.flag("--ui", "the window with all its widgets around the pictures, as `demo` shows it");
     add.flag("--presenter", "with --ui: large type and high contrast");
@@ -88,6 +89,7 @@ CaptureOptions captureOptions(const GivenOptions& given) {
     CaptureOptions options;
     options.scene = given.required("SCENE", example);
     options.output = given.required("--output", example);
+    options.view = given.text("--view");
     options.steps = given.has("--steps");
     options.animate = given.has("--animate");
     if (!isFilm(options) && film::isMp4(options.output))

@@ -40,6 +40,7 @@ struct CaptureOptions {
     int supersample = 1;
     std::vector<std::string> settings; ///< [SLOT:]ID.PARAM=VALUE
     std::string light;                 ///< empty: the first
+    std::string view;                  ///< empty: the scene's own camera
     context::Backend backend = context::Backend::automatic;
     std::filesystem::path stats; ///< empty: none
     MotionOptions motion;

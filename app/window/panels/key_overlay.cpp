@@ -46,7 +46,7 @@ constexpr std::array<std::array<const char*, 2>, 9> kMouse = {{{"left", "orbits;
                                                                {"middle", "pans"},
                                                                {"right", "looks around; with W A S D E Q flies"},
                                                                {"wheel", "nearer, farther"},
-                                                               {"drop", "a .json or .obj file: shows it"}}};
+                                                               {"drop", "a scene or a mesh: shows it"}}};
 
 constexpr float kBesideKeysEm = 0.8f; ///< between the keys and what they do
 constexpr float kColumnEm = 17;       ///< width of a column at least: keys, and three or four words

@@ -77,9 +77,19 @@ void sceneCombo(WindowState& ui, float width) {
     if (ImGui::BeginCombo("##scene", shown.c_str(), ImGuiComboFlags_HeightLargest)) {
         for (const std::string& name : ui.scenes)
             if (ImGui::Selectable(name.c_str(), name == now)) ui.requests.scene = name;
+        const std::vector<scene::Viewpoint>& views = ui.bench.document().scene->viewpoints;
+        if (!views.empty()) {
+            ImGui::Separator();
+            ImGui::TextDisabled("views of this scene");
+        }
+        for (std::size_t i = 0; i < views.size(); ++i) { // a view may be called as a scene is
+            ImGui::PushID(static_cast<int>(i));
+            if (ImGui::Selectable(views[i].name.c_str(), views[i].camera == ui.bench.document().camera)) ui.bench.setCamera(views[i].camera);
+            ImGui::PopID();
+        }
         ImGui::EndCombo();
     }
-    hint("scene (Ctrl+PageDown, Ctrl+PageUp); or drop a .json or .obj file on the window");
+    hint("scene (Ctrl+PageDown, Ctrl+PageUp); or drop a .json, .obj, .gltf or .glb file on the window");
 }
 
 void saveMenu(WindowState& ui) {

@@ -32,7 +32,7 @@ TEST(LoadScene, PathsAreToldByTheirEnding) {
     for (const std::string& path : {folder.write("mesh.ply", "").string(), folder.path().string()}) {
         const Error error = errorOf([&] { (void)loadScene(path, {}); });
         EXPECT_EQ(error.status(), ExitStatus::badInput);
-        EXPECT_TRUE(contains(error.what(), "neither a .json scene nor an .obj mesh")) << error.what();
+        EXPECT_TRUE(contains(error.what(), "neither a .json scene nor a mesh (.obj, .gltf, .glb)")) << error.what();
     }
     EXPECT_TRUE(contains(errorOf([&] { (void)loadScene((folder.path() / "none.json").string(), {}); }).what(),
                          "No such file or directory"));

@@ -78,13 +78,33 @@ void addNotes(Scene& scene, const std::filesystem::path& file) {
         scene.notes.push_back(shownPath(file) + ": " + note);
 }
 
+/// Further cameras to choose from, by name.
+void readViews(const SceneReading& reading, const JsonObject& top) {
+    const JsonValue* views = top.find("views");
+    if (!views) return;
+    if (views->kind != JsonValue::Kind::object)
+        top.fail("views", "is " + std::string(describe(views->kind)) + "; it must be an object {\"name\": { a camera }, ...}");
+    for (const JsonMember& view : views->members)
+        reading.scene.viewpoints.push_back(
+            {view.key, readCamera(reading, reading.document, view.value, "the view '" + shown(view.key) + "'")});
+}
+
+/// A camera that names no near plane gets one that fits.
+void fitNearPlanes(const SceneReading& reading, const JsonObject& top, const JsonValue& camera) {
+    Scene& scene = reading.scene;
+    if (!cameraKeys(reading.document, camera, "the camera").find("near")) scene.camera.near = defaultNear(scene, scene.camera);
+    for (std::size_t i = 0; i < scene.viewpoints.size(); ++i)
+        if (!cameraKeys(reading.document, top.find("views")->members[i].value, "a view").find("near"))
+            scene.viewpoints[i].camera.near = defaultNear(scene, scene.viewpoints[i].camera);
+}
+
 } // namespace
 
 std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::filesystem::path& file,
                                             const LoadOptions& options) {
     const JsonDocument document(text, file, options.limits.jsonDepth);
     const JsonObject top(document, document.root(), "the scene",
-                         {"camera", "ambient", "background", "exposure", "lights", "materials", "objects"});
+                         {"camera", "views", "ambient", "background", "exposure", "lights", "materials", "objects"});
     const auto scene = std::make_shared<Scene>();
     const AllowedFolders folders(file, options);
     MisnamedFiles misnamed(folders);
@@ -95,6 +115,7 @@ std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::
     scene->name = file.stem().string();
     const JsonValue& camera = top.require("camera", "{\"position\": [3, 2.5, 5], \"target\": [0, 0, 0]}");
     scene->camera = readCamera(reading, document, camera, "the camera");
+    readViews(reading, top);
     scene->ambient = top.color("ambient", reading.atLeastZero(), scene->ambient);
     scene->background = top.color("background", reading.atLeastZero(), scene->background);
     scene->exposure = static_cast<float>(top.number("exposure", reading.aboveZero(), scene->exposure));
@@ -107,7 +128,7 @@ std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::
     readObjects(reading, top);
     misnamedNote.appendTo(scene->notes);
     addEmitterSurfaces(*scene);
-    if (!cameraKeys(document, camera, "the camera").find("near")) scene->camera.near = defaultNear(*scene, scene->camera);
+    fitNearPlanes(reading, top, camera);
     addNotes(*scene, file);
     scene->memory = memoryBudget(*scene, options.limits);
     return scene;

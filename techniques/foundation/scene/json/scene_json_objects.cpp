@@ -6,6 +6,7 @@
 #include <span>
 
 #include "techniques/foundation/base/nearest_names.h"
+#include "techniques/foundation/scene/gltf/load_gltf.h"
 #include "techniques/foundation/scene/json/scene_json.h"
 #include "techniques/foundation/scene/load/message_text.h"
 #include "techniques/foundation/scene/model/holes.h"
@@ -41,14 +42,19 @@ private:
         std::vector<std::uint32_t> partMaterials;
         std::string shape;          ///< ShapeRequest::id
         std::filesystem::path file; ///< canonical
+        std::string node{};         ///< of a glTF file with several: the one that shows it
+        dmat4 objectFromNode{1.0};
     };
 
     JsonObject checkedKeys(const JsonValue& value, const std::string& what) const;
-    LoadedMesh meshOf(const JsonObject& keys);
-    LoadedMesh loadedFile(const JsonObject& keys, NormalMode mode);
+    std::vector<LoadedMesh> meshesOf(const JsonObject& keys);
+    std::vector<LoadedMesh> loadedFile(const JsonObject& keys, NormalMode mode);
+    std::vector<LoadedMesh> loadedObj(const ReferredFile& file, NormalMode mode, const LoadOptions& options);
+    std::vector<LoadedMesh> loadedGltf(const ReferredFile& file, NormalMode mode, const LoadOptions& options);
+    void addNotes(std::vector<std::string> notes);
+    void add(const JsonObject& keys, LoadedMesh loaded, const std::string& name);
     LoadedMesh shape(const JsonObject& keys, NormalMode mode);
-    std::uint32_t materialOfFile(const std::filesystem::path& canonical, const ObjFile& file,
-                                 const MaterialsByName& known, const std::string& name);
+    std::uint32_t materialOfFile(const std::filesystem::path& canonical, const Material& fromFile);
     std::uint32_t materialIndex(const JsonObject& keys) const;
     dvec3 scaleOf(const JsonObject& keys) const;
     void checkTriangles(const JsonObject& keys, std::uint64_t more) const;
@@ -61,7 +67,7 @@ private:
     std::map<std::string, std::uint32_t> materialIndex_;  ///< all of the scene so far
     std::map<std::string, std::uint32_t> sceneMaterials_; ///< those of the scene file, which `material` may name
     std::map<std::pair<std::string, NormalMode>, std::shared_ptr<const Mesh>> shapes_; ///< by ShapeRequest::id
-    std::map<std::pair<std::string, NormalMode>, LoadedMesh> files_;                   ///< by canonical path
+    std::map<std::pair<std::string, NormalMode>, std::vector<LoadedMesh>> files_;      ///< by canonical path
     std::map<std::pair<std::string, std::string>, std::uint32_t> materialOfFile_; ///< by canonical path and MTL name
     std::set<std::string> names_;
     std::map<std::string, int> lastNumber_; ///< of the names made up for unnamed objects: box, box2, box3 ...
@@ -72,18 +78,18 @@ private:
 JsonObject ObjectReader::checkedKeys(const JsonValue& value, const std::string& what) const {
     const JsonDocument& document = reading_.document;
     const JsonObject all(document, value, what,
-                         {"name", "shape", "mesh", "size", "radius", "radii", "segments", "material", "scale",
+                         {"name", "shape", "mesh", "node", "size", "radius", "radii", "segments", "material", "scale",
                           "rotateDegrees", "translate", "normals", "castsShadow", "receivesShadow", "velocity"});
     const bool hasMesh = all.find("mesh") != nullptr, hasShape = all.find("shape") != nullptr;
     if (hasMesh && hasShape) all.fail("mesh", "stands beside \"shape\"; keep one of the two");
     if (!hasMesh && !hasShape)
-        document.fail(value.offset, what + " has neither \"mesh\" nor \"shape\"; add \"mesh\": \"FILE.obj\" or "
+        document.fail(value.offset, what + " has neither \"mesh\" nor \"shape\"; add \"mesh\": \"FILE.obj\" (or .gltf, .glb) or "
                                            "\"shape\": \"quad\" (or box, sphere, torus)");
     if (hasMesh)
         return {document,
                 value,
                 what + " (a mesh)",
-                {"name", "mesh", "material", "scale", "rotateDegrees", "translate", "normals", "castsShadow",
+                {"name", "mesh", "node", "material", "scale", "rotateDegrees", "translate", "normals", "castsShadow",
                  "receivesShadow", "velocity"}};
     const std::string shape = all.text("shape");
     const std::string named = what + " (a " + shown(shape) + ")";
@@ -154,15 +160,13 @@ void ObjectReader::countShapes(std::span<const JsonValue> values) {
     triangles_ = 0;
 }
 
-/// Index of a material that an MTL file defines, added to the scene on first use. If the name is taken, the mesh file's
+/// Index of a material that a mesh file defines, added to the scene on first use. If the name is taken, the mesh file's
 /// name is added to it.
-std::uint32_t ObjectReader::materialOfFile(const std::filesystem::path& canonical, const ObjFile& file,
-                                           const MaterialsByName& known, const std::string& name) {
-    const auto found = known.find(name);
-    if (name.empty() || found == known.end()) return kWhite;
+std::uint32_t ObjectReader::materialOfFile(const std::filesystem::path& canonical, const Material& fromFile) {
+    const std::string& name = fromFile.name;
     const auto [entry, isNew] = materialOfFile_.try_emplace({canonical.string(), name}, 0);
     if (!isNew) return entry->second;
-    Material material = file.materials[found->second];
+    Material material = fromFile;
     material.ofMesh = true;
     for (int attempt = 1; materialIndex_.contains(material.name); ++attempt)
         material.name = name + " (" + canonical.stem().string() +
@@ -174,27 +178,69 @@ std::uint32_t ObjectReader::materialOfFile(const std::filesystem::path& canonica
     return entry->second;
 }
 
-ObjectReader::LoadedMesh ObjectReader::loadedFile(const JsonObject& keys, NormalMode mode) {
-    const ReferredFile file = readReference(reading_, keys, "mesh");
-    const auto [entry, isNew] = files_.try_emplace({file.canonical.string(), mode});
-    LoadedMesh& loaded = entry->second;
-    if (!isNew) return loaded;
-    LoadOptions options = reading_.options; // the mesh's own references may use the scene's folder too
-    options.limits = limits_;
-    options.allowed.push_back(reading_.file.parent_path().empty() ? "." : reading_.file.parent_path());
+void ObjectReader::addNotes(std::vector<std::string> more) {
+    std::vector<std::string>& notes = reading_.scene.notes;
+    for (std::string& note : more)
+        if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
+}
+
+std::vector<ObjectReader::LoadedMesh> ObjectReader::loadedObj(const ReferredFile& file, NormalMode mode, const LoadOptions& options) {
     ObjFile obj = loadObj(file.path, mode, options);
+    LoadedMesh loaded;
     const MaterialsByName known = materialsByName(obj.materials);
-    for (const MeshPart& part : obj.mesh.parts)
-        loaded.partMaterials.push_back(materialOfFile(file.canonical, obj, known, part.materialName));
+    for (const MeshPart& part : obj.mesh.parts) {
+        const auto found = part.materialName.empty() ? known.end() : known.find(part.materialName);
+        loaded.partMaterials.push_back(found == known.end() ? kWhite : materialOfFile(file.canonical, obj.materials[found->second]));
+    }
     loaded.mesh = sharedMesh(std::move(obj.mesh));
     loaded.file = file.canonical;
-    std::vector<std::string>& notes = reading_.scene.notes;
-    for (std::string& note : obj.notes)
-        if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
+    addNotes(std::move(obj.notes));
+    return {loaded};
+}
+
+/// Its lights and cameras stay out: a scene file says itself how it is lit and seen.
+std::vector<ObjectReader::LoadedMesh> ObjectReader::loadedGltf(const ReferredFile& file, NormalMode mode, const LoadOptions& options) {
+    GltfFile gltf = loadGltf(file.path, mode, options);
+    std::vector<LoadedMesh> loaded;
+    for (GltfObject& object : gltf.objects) {
+        LoadedMesh& mesh = loaded.emplace_back();
+        for (const std::uint32_t material : object.partMaterials)
+            mesh.partMaterials.push_back(
+                material == GltfObject::kNoMaterial ? kWhite : materialOfFile(file.canonical, gltf.materials[material]));
+        mesh.mesh = std::move(object.mesh);
+        mesh.file = file.canonical;
+        mesh.node = object.name;
+        mesh.objectFromNode = object.worldFromNode;
+    }
+    if (!gltf.lights.empty() || !gltf.viewpoints.empty())
+        gltf.notes.push_back(shownPath(file.path) + ": " + counted(gltf.lights.size(), "light") + " and " +
+                             counted(gltf.viewpoints.size(), "camera") +
+                             " of the file are left out, because the scene has its own; write them there if they are wanted");
+    addNotes(std::move(gltf.notes));
     return loaded;
 }
 
-ObjectReader::LoadedMesh ObjectReader::meshOf(const JsonObject& keys) {
+std::vector<ObjectReader::LoadedMesh> ObjectReader::loadedFile(const JsonObject& keys, NormalMode mode) {
+    const ReferredFile file = readReference(reading_, keys, "mesh");
+    const auto [entry, isNew] = files_.try_emplace({file.canonical.string(), mode});
+    if (isNew) {
+        LoadOptions options = reading_.options; // the mesh's own references may use the scene's folder too
+        options.limits = limits_;
+        options.allowed.push_back(reading_.file.parent_path().empty() ? "." : reading_.file.parent_path());
+        entry->second = isGltfFile(file.path) ? loadedGltf(file, mode, options) : loadedObj(file, mode, options);
+    }
+    if (!keys.find("node")) return entry->second;
+    const std::string node = keys.text("node");
+    std::vector<std::string> names;
+    for (const LoadedMesh& loaded : entry->second) {
+        if (!loaded.node.empty() && loaded.node == node) return {loaded};
+        names.push_back(loaded.node);
+    }
+    keys.fail("node", "is " + inQuotes(node) + ", which is no node of that file with a mesh; " +
+                          (names.front().empty() ? "only glTF files have nodes: leave it out" : suggestion(node, names)));
+}
+
+std::vector<ObjectReader::LoadedMesh> ObjectReader::meshesOf(const JsonObject& keys) {
     NormalMode mode = NormalMode::file; // for a shape: as it is built, smooth or flat
     if (keys.find("normals")) {
         const std::string text = keys.text("normals");
@@ -203,14 +249,16 @@ ObjectReader::LoadedMesh ObjectReader::meshOf(const JsonObject& keys) {
         if (found == modes.end()) keys.fail("normals", "is " + inQuotes(text) + "; " + suggestion(text, modes));
         mode = static_cast<NormalMode>(found - modes.begin());
     }
-    LoadedMesh loaded = keys.find("mesh") ? loadedFile(keys, mode) : shape(keys, mode);
-    if (!keys.find("material")) return loaded;
-    std::ranges::fill(loaded.partMaterials, materialIndex(keys));
+    std::vector<LoadedMesh> meshes = keys.find("mesh") ? loadedFile(keys, mode) : std::vector{shape(keys, mode)};
+    if (!keys.find("material")) return meshes;
     const Material& material = reading_.scene.materials[materialIndex(keys)];
-    for (const MeshPart& part : loaded.mesh->parts)
-        if (const std::string note = noteOnWholePart(material, part); !note.empty())
-            reading_.scene.notes.push_back(keys.what() + ": " + note);
-    return loaded;
+    for (LoadedMesh& loaded : meshes) {
+        std::ranges::fill(loaded.partMaterials, materialIndex(keys));
+        for (const MeshPart& part : loaded.mesh->parts)
+            if (const std::string note = noteOnWholePart(material, part); !note.empty())
+                reading_.scene.notes.push_back(keys.what() + ": " + note);
+    }
+    return meshes;
 }
 
 std::uint32_t ObjectReader::materialIndex(const JsonObject& keys) const {
@@ -246,26 +294,44 @@ std::string ObjectReader::uniqueName(const std::string& wish) {
 
 void ObjectReader::read(const JsonValue& value, const std::string& what) {
     const JsonObject keys = checkedKeys(value, what);
-    LoadedMesh loaded = meshOf(keys);
+    std::vector<LoadedMesh> meshes = meshesOf(keys);
+    const std::string kind =
+        keys.find("shape") ? keys.text("shape") : std::filesystem::path(lastPart(keys.text("mesh"))).stem().string();
+    if (meshes.size() == 1) {
+        const std::string name = keys.find("name") ? keys.text("name") : uniqueName(keys.find("node") ? meshes.front().node : kind);
+        if (!keys.find("node")) meshes.front().node.clear();
+        add(keys, std::move(meshes.front()), name);
+        return;
+    }
+    if (reading_.scene.objects.size() + meshes.size() > limits_.objects)
+        reading_.document.fail(value.offset, keys.what() + " brings the scene beyond the limit of " + std::to_string(limits_.objects) +
+                                                 " objects; remove some, or set --limit objects=VALUE", ExitStatus::overLimit);
+    const std::string before = keys.find("name") ? keys.text("name") + " " : "";
+    for (LoadedMesh& loaded : meshes) {
+        const std::string name = uniqueName(before + loaded.node);
+        add(keys, std::move(loaded), name);
+    }
+}
+
+void ObjectReader::add(const JsonObject& keys, LoadedMesh loaded, const std::string& name) {
     checkTriangles(keys, loaded.mesh->triangles.size());
     triangles_ += loaded.mesh->triangles.size();
 
     Object object;
-    const std::string kind =
-        keys.find("shape") ? keys.text("shape") : std::filesystem::path(lastPart(keys.text("mesh"))).stem().string();
-    object.name = keys.find("name") ? keys.text("name") : uniqueName(kind);
+    object.name = name;
     names_.insert(object.name);
     object.mesh = std::move(loaded.mesh);
     object.partMaterials = std::move(loaded.partMaterials);
     object.source = {.shape = loaded.shape,
                      .mesh = loaded.file,
+                     .node = loaded.node,
                      .material = keys.find("material") ? keys.text("material") : "",
                      .normals = keys.find("normals") ? keys.text("normals") : "",
                      .scale = scaleOf(keys),
                      .rotateDegrees = keys.vector("rotateDegrees", reading_.anyNumber(), dvec3(0)),
-                     .translateWorld = keys.vector("translate", reading_.anyNumber(), dvec3(0))};
-    object.worldFromObject =
-        worldFromObjectOf(object.source.scale, object.source.rotateDegrees, object.source.translateWorld);
+                     .translateWorld = keys.vector("translate", reading_.anyNumber(), dvec3(0)),
+                     .objectFromNode = loaded.objectFromNode};
+    object.worldFromObject = worldFromObjectOf(object.source);
     object.castsShadow = keys.boolean("castsShadow", true);
     object.receivesShadow = keys.boolean("receivesShadow", true);
     object.velocityWorld = keys.vector("velocity", reading_.anyNumber(), dvec3(0));
@@ -274,7 +340,7 @@ void ObjectReader::read(const JsonValue& value, const std::string& what) {
     const dvec3 farthest = glm::max(glm::abs(bounds.lowerWorld), glm::abs(bounds.upperWorld));
     const double limit = reading_.options.limits.coordinate;
     if (!(glm::max(farthest.x, glm::max(farthest.y, farthest.z)) <= limit))
-        reading_.document.fail(value.offset, keys.what() + " reaches beyond " + numberText(limit) +
+        reading_.document.fail(keys.value().offset, keys.what() + " reaches beyond " + numberText(limit) +
                                                  " m from the origin; reduce its scale or translate");
     reading_.scene.objects.push_back(std::move(object));
 }

@@ -156,6 +156,7 @@ std::string objectJson(const Object& object, const std::filesystem::path& folder
         line.text("mesh", relativeName(source.mesh, folder));
     else
         addShape(line, source.shape);
+    if (!source.node.empty()) line.text("node", source.node);
     if (!source.material.empty()) line.text("material", source.material);
     if (!source.normals.empty()) line.text("normals", source.normals);
     line.unless("scale", source.scale, dvec3(1.0))
@@ -200,7 +201,9 @@ std::string textInJson(const std::string& text) {
 }
 
 std::string sceneText(const Scene& scene, const Camera& camera, const std::filesystem::path& folder) {
-    std::vector<std::string> lights, materials, objects;
+    std::vector<std::string> views, lights, materials, objects;
+    for (const Viewpoint& view : scene.viewpoints)
+        views.push_back(inJson(view.name) + ": " + cameraJson(scene, view.camera));
     for (const Light& light : scene.lights)
         lights.push_back(lightJson(light));
     const std::set<std::size_t> ofLights = materialsOfLights(scene);
@@ -214,6 +217,7 @@ std::string sceneText(const Scene& scene, const Camera& camera, const std::files
         if (object.emitterOfLight < 0) objects.push_back(objectJson(object, folder));
 
     std::string text = "{\n  \"camera\": " + cameraJson(scene, camera) + ",\n";
+    if (!views.empty()) text += block("views", '{', '}', views) + ",\n";
     text += "  \"ambient\": " + Line::list(scene.ambient) + ",\n";
     text += "  \"background\": " + Line::list(scene.background) + ",\n";
     if (scene.exposure != 1.0f) text += "  \"exposure\": " + numberText(scene.exposure) + ",\n";

@@ -54,7 +54,7 @@ ImageFiles::made(std::map<std::pair<std::filesystem::path, How>, std::shared_ptr
     const std::pair key(canonical, how);
     if (const auto found = known.find(key); found != known.end()) return found->second;
     if (const auto found = failed_.find(canonical); found != failed_.end()) throw found->second;
-    image::keepInput(canonical); // also if it cannot be read: it is still an input
+    if (!held_.contains(canonical)) image::keepInput(canonical); // also if it cannot be read: it is still an input
     try {
         const image::PictureFile picture = read(canonical, limits);
         std::shared_ptr<const Made> result;
@@ -71,7 +71,9 @@ ImageFiles::made(std::map<std::pair<std::filesystem::path, How>, std::shared_ptr
 }
 
 image::PictureFile ImageFiles::read(const std::filesystem::path& canonical, const Limits& limits) const {
-    const std::string text = readFile(canonical, limits.imageFileBytes, "image-file");
+    const auto held = held_.find(canonical);
+    const std::string file = held != held_.end() ? std::string() : readFile(canonical, limits.imageFileBytes, "image-file");
+    const std::string_view text = held != held_.end() ? held->second : file;
     const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
     const image::PngLimits pictureLimits{.side = limits.imageSide, .fileBytes = limits.imageFileBytes, .withTexts = false};
     constexpr std::string_view kNoName;

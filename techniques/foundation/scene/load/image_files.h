@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "techniques/foundation/base/error.h"
@@ -23,6 +24,10 @@ public:
     std::shared_ptr<const AlphaMask> mask(const std::filesystem::path& canonical, const MaskChoice& choice, const Limits& limits);
     std::shared_ptr<const ColorImage> colors(const std::filesystem::path& canonical, const ImageGain& gain, const Limits& limits);
 
+    /// A picture that lies in memory, to be asked for under a name that no file has. `bytes` must outlive this.
+    void hold(const std::filesystem::path& name, std::string_view bytes) { held_[name] = bytes; }
+    [[nodiscard]] bool holds(const std::filesystem::path& name) const { return held_.contains(name); }
+
 private:
     template <typename Made, typename How>
     std::shared_ptr<const Made> made(std::map<std::pair<std::filesystem::path, How>, std::shared_ptr<const Made>>& known,
@@ -32,6 +37,7 @@ private:
     std::map<std::pair<std::filesystem::path, MaskChoice>, std::shared_ptr<const AlphaMask>> masks_;
     std::map<std::pair<std::filesystem::path, ImageGain>, std::shared_ptr<const ColorImage>> colors_;
     std::map<std::filesystem::path, Error> failed_; ///< the errors of files that cannot be read; many materials may name one
+    std::map<std::filesystem::path, std::string_view> held_;
     std::uint64_t texels_ = 0;                      ///< of all that have been made
 };
 

@@ -1,10 +1,11 @@
-// SCENE on the command line: a `.json`, an `.obj`, or the name of a built-in scene.
+// SCENE on the command line: a `.json`, an `.obj`, a `.gltf` or `.glb`, or the name of a built-in scene.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/nearest_names.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/scene/gltf/load_gltf.h"
 #include "techniques/foundation/scene/load/file_access.h"
 #include "techniques/foundation/scene/load/message_text.h"
 #include "techniques/foundation/scene/load/scene_file.h"
@@ -43,14 +44,14 @@ bool isSceneFile(const std::filesystem::path& file) { return ending(file) == ".j
 
 std::filesystem::path sceneFile(const std::string& nameOrPath, const LoadOptions& options) {
     const std::filesystem::path path(nameOrPath);
-    if (isSceneFile(path) || ending(path) == ".obj") return path;
+    if (isSceneFile(path) || isGltfFile(path) || ending(path) == ".obj") return path;
 
     const std::vector<std::string> names = builtInScenes(options.assetsRoot);
     if (std::ranges::find(names, nameOrPath) != names.end())
         return options.assetsRoot / "scenes" / (nameOrPath + ".json");
     std::error_code ignored;
     if (nameOrPath.find('/') != std::string::npos || path.has_extension() || std::filesystem::exists(path, ignored))
-        throw Error(ExitStatus::badInput, shownPath(path) + ": is neither a .json scene nor an .obj mesh; " +
+        throw Error(ExitStatus::badInput, shownPath(path) + ": is neither a .json scene nor a mesh (.obj, .gltf, .glb); " +
                                               "give a file with one of these endings");
     throw Error(ExitStatus::badInput,
                 "there is no built-in scene '" + shown(nameOrPath) + "'; " +
@@ -60,6 +61,7 @@ std::filesystem::path sceneFile(const std::string& nameOrPath, const LoadOptions
 
 std::shared_ptr<const Scene> loadScene(const std::string& nameOrPath, const LoadOptions& options) {
     const std::filesystem::path file = sceneFile(nameOrPath, options);
+    if (isGltfFile(file)) return stagedGltf(loadGltf(file, NormalMode::file, options), file, options);
     return isSceneFile(file) ? loadJson(file, options) : stageObj(file, options);
 }
 

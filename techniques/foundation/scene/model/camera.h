@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <limits>
+#include <string>
 
 #include "techniques/foundation/math/types.h"
 
@@ -17,6 +18,13 @@ struct Camera {
     double far =
         std::numeric_limits<double>::infinity(); ///< metres; a hint for depth fitting, never a clip of the picture
     friend bool operator==(const Camera&, const Camera&) = default;
+};
+
+/// One of the cameras that a scene offers, beside the one it begins with.
+struct Viewpoint {
+    std::string name;
+    Camera camera;
+    friend bool operator==(const Viewpoint&, const Viewpoint&) = default;
 };
 
 /// True if position, target and up define a view. False if the target is the position, or if up is within a millionth of a

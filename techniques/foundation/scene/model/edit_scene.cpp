@@ -10,7 +10,10 @@ namespace {
 /// The matrix is computed from the source, so that a scene that is written and read again is the same to the last bit.
 void move(Object& object, const dvec3& byWorld) {
     object.source.translateWorld += byWorld;
-    object.worldFromObject[3] = dvec4(object.source.translateWorld, 1.0);
+    if (object.source.objectFromNode == dmat4(1.0))
+        object.worldFromObject[3] = dvec4(object.source.translateWorld, 1.0);
+    else
+        object.worldFromObject = worldFromObjectOf(object.source);
 }
 
 } // namespace
@@ -32,6 +35,12 @@ Snapshot atTime(const Snapshot& atRest, double seconds) {
         if (object.velocityWorld != dvec3(0.0)) move(object, object.velocityWorld * seconds);
     moved->revisions.transforms = newRevision();
     return moved;
+}
+
+Snapshot seenFrom(const Snapshot& snapshot, const Viewpoint& viewpoint) {
+    const auto scene = std::make_shared<Scene>(*snapshot);
+    scene->camera = viewpoint.camera;
+    return scene;
 }
 
 } // namespace shadowlab::scene

@@ -13,4 +13,7 @@ Snapshot withObjectMovedBy(const Snapshot& snapshot, std::size_t object, const d
 /// nothing moves.
 Snapshot atTime(const Snapshot& atRest, double seconds);
 
+/// The scene as that camera of its own sees it.
+Snapshot seenFrom(const Snapshot& snapshot, const Viewpoint& viewpoint);
+
 } // namespace shadowlab::scene

@@ -42,4 +42,9 @@ dmat4 worldFromObjectOf(const dvec3& scale, const dvec3& rotateDegrees, const dv
     return result;
 }
 
+dmat4 worldFromObjectOf(const ObjectSource& source) {
+    const dmat4 placement = worldFromObjectOf(source.scale, source.rotateDegrees, source.translateWorld);
+    return source.objectFromNode == dmat4(1.0) ? placement : placement * source.objectFromNode;
+}
+
 } // namespace shadowlab::scene

@@ -58,10 +58,15 @@ inline bool shinesFrom(const Material& material, bool isFront) {
 struct ObjectSource {
     std::string shape;          ///< kind and numbers, "box 1 2 1"; empty: a mesh file
     std::filesystem::path mesh; ///< canonical path of that file
+    std::string node;           ///< which of the things in that file, by name; empty: there is but one
     std::string material;       ///< the scene's material it was given; empty: none
     std::string normals;        ///< "file", "flat" or "smooth"; empty: not said
     dvec3 scale{1.0}, rotateDegrees{0.0}, translateWorld{0.0};
+    dmat4 objectFromNode{1.0}; ///< where the file itself puts it, before all that
 };
+
+/// Scale, then rotate about world x, then y, then z, then translate, applied to the thing where its file puts it.
+dmat4 worldFromObjectOf(const ObjectSource& source);
 
 struct Scene;
 
@@ -133,6 +138,7 @@ struct MemoryBudget {
 struct Scene {
     std::string name; ///< "colonnade", or the file's name without its ending
     Camera camera;
+    std::vector<Viewpoint> viewpoints; ///< cameras to choose from, each of another name
     vec3 ambient{0.0f};
     vec3 background{0.0f};
     float exposure = 1.0f;

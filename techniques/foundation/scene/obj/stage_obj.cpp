@@ -1,5 +1,7 @@
 // A scene around a bare mesh: floor, key light and camera, all in proportion to the size of the mesh.
 // SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/obj/stage.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,33 +14,26 @@
 
 namespace shadowlab::scene {
 
-namespace {
-
-/// The mesh where it will stand: centred over the origin, its lowest point on y = 0.
-struct Stage {
-    Bounds meshWorld;
-    double size;       ///< largest extent of the mesh; every length below is a multiple of it
-    double floorWorld; ///< height of the floor
-};
-
-Object placedMesh(ObjFile& obj, Stage& stage) {
-    Object object;
-    object.mesh = sharedMesh(std::move(obj.mesh));
-    const Bounds bounds = boundsWorld(object);
+double largestExtent(const Bounds& bounds) {
     const dvec3 extent = bounds.upperWorld - bounds.lowerWorld;
-    stage.size = glm::max(extent.x, glm::max(extent.y, extent.z));
+    return glm::max(extent.x, glm::max(extent.y, extent.z));
+}
 
+dvec3 ontoStage(const Bounds& bounds) {
+    const double size = largestExtent(bounds);
     // A sheet or a needle lying flat would hide its own shadow: it floats a little.
-    const bool isFlat = extent.y < 0.02 * stage.size;
-    const double lift = isFlat ? 0.3 * stage.size : 0.0;
+    const bool isFlat = bounds.upperWorld.y - bounds.lowerWorld.y < 0.02 * size;
+    const double lift = isFlat ? 0.3 * size : 0.0;
     const dvec3 centre = 0.5 * (bounds.lowerWorld + bounds.upperWorld);
-    object.source.translateWorld = dvec3(-centre.x, lift - bounds.lowerWorld.y, -centre.z);
-    object.worldFromObject[3] = dvec4(object.source.translateWorld, 1.0);
-    stage.meshWorld = boundsWorld(object);
+    return {-centre.x, lift - bounds.lowerWorld.y, -centre.z};
+}
+
+Stage stageAround(const Bounds& meshWorld, double size) {
+    Stage stage{.meshWorld = meshWorld, .size = size};
     // Just under the mesh: 1/1024 of its size is too little to see and enough for a 24-bit depth buffer to tell a flat
     // underside from the floor at the distance of this camera.
     stage.floorWorld = -stage.size / 1024.0;
-    return object;
+    return stage;
 }
 
 Object floorUnder(const Stage& stage) {
@@ -65,6 +60,8 @@ Light keyLight(const Stage& stage) {
     return light;
 }
 
+namespace {
+
 /// Across one axis of the picture: how far back a camera of fixed direction has to stand so that all points appear
 /// within `slope` (their offset over their depth) of its centre. Exact: two planes of that slope are moved in until
 /// they touch the points, and the camera stands where they meet.
@@ -87,16 +84,17 @@ private:
     double high_ = -std::numeric_limits<double>::infinity(), low_ = high_;
 };
 
-/// From the front right and above, so near that the mesh and its shadow fill the picture.
-Camera stageFraming(const Stage& stage, const Object& object, const Light& light) {
+} // namespace
+
+Camera stageFraming(const Stage& stage, std::span<const Object> objects, const dvec3& lightPositionWorld) {
     Camera camera;
     camera.fovYDegrees = 35.0;                                          // a long lens: little distortion
     const dvec3 backwardWorld = glm::normalize(dvec3(0.35, 0.45, 1.0)); // three-quarter view, 23 degrees down
     const dvec3 rightWorld = glm::normalize(glm::cross(camera.upWorld, backwardWorld));
     const dvec3 aboveWorld = glm::cross(backwardWorld, rightWorld);
     const auto shadowOf = [&](const dvec3& pointWorld) {
-        const double t = (light.positionWorld.y - stage.floorWorld) / (light.positionWorld.y - pointWorld.y);
-        return light.positionWorld + t * (pointWorld - light.positionWorld);
+        const double t = (lightPositionWorld.y - stage.floorWorld) / (lightPositionWorld.y - pointWorld.y);
+        return lightPositionWorld + t * (pointWorld - lightPositionWorld);
     };
     const auto include = [&](AxisFit& across, AxisFit& up, const dvec3& pointWorld) {
         const double backward = glm::dot(pointWorld, backwardWorld);
@@ -109,12 +107,13 @@ Camera stageFraming(const Stage& stage, const Object& object, const Light& light
     // square.
     const double half = std::tan(camera.fovYDegrees * glm::pi<double>() / 360.0);
     AxisFit meshUp(0.6 * half), seenAcross(0.8 * half), seenUp(0.9 * half), boxAcross(0.97 * half), boxUp(0.97 * half);
-    for (const vec3& positionMesh : object.mesh->positionsMesh) {
-        const dvec3 pointWorld(object.worldFromObject * dvec4(object.mesh->originObject + dvec3(positionMesh), 1.0));
-        meshUp.include(glm::dot(pointWorld, aboveWorld), glm::dot(pointWorld, backwardWorld));
-        include(seenAcross, seenUp, pointWorld);
-        include(seenAcross, seenUp, shadowOf(pointWorld));
-    }
+    for (const Object& object : objects)
+        for (const vec3& positionMesh : object.mesh->positionsMesh) {
+            const dvec3 pointWorld(object.worldFromObject * dvec4(object.mesh->originObject + dvec3(positionMesh), 1.0));
+            meshUp.include(glm::dot(pointWorld, aboveWorld), glm::dot(pointWorld, backwardWorld));
+            include(seenAcross, seenUp, pointWorld);
+            include(seenAcross, seenUp, shadowOf(pointWorld));
+        }
     for (int i = 0; i < 8; ++i) {
         include(boxAcross, boxUp, stage.meshWorld.corner(i));
         include(boxAcross, boxUp, shadowOf(stage.meshWorld.corner(i)));
@@ -133,16 +132,20 @@ Camera stageFraming(const Stage& stage, const Object& object, const Light& light
     return camera;
 }
 
-constexpr std::uint32_t kClay = 2;
-
-/// Material 0: white, as in every scene; 1: the floor; 2: clay, for parts without a material of their own.
-std::vector<std::uint32_t> addMaterials(Scene& scene, const Mesh& mesh, const std::vector<Material>& fromFile) {
+std::vector<Material> stageMaterials() {
     Material floor, clay;
     floor.name = "floor";
     floor.diffuse = vec3(0.75f);
     clay.name = "clay";
     clay.diffuse = vec3(0.72f, 0.62f, 0.52f); // warm, so that the mesh stands out from the grey floor
-    scene.materials = {Material{}, floor, clay};
+    return {Material{}, floor, clay};
+}
+
+namespace {
+
+/// Beside those of the stage, the materials of the file that parts have.
+std::vector<std::uint32_t> addMaterials(Scene& scene, const Mesh& mesh, const std::vector<Material>& fromFile) {
+    scene.materials = stageMaterials();
     std::vector<std::uint32_t> partMaterials;
     const MaterialsByName known = materialsByName(fromFile);
     for (const MeshPart& part : mesh.parts) {
@@ -167,8 +170,12 @@ std::shared_ptr<const Scene> stageObj(const std::filesystem::path& file, const L
     scene->name = file.stem().string();
     scene->notes = std::move(obj.notes);
 
-    Stage stage{};
-    Object object = placedMesh(obj, stage);
+    Object object;
+    object.mesh = sharedMesh(std::move(obj.mesh));
+    const Bounds bounds = boundsWorld(object);
+    object.source.translateWorld = ontoStage(bounds);
+    object.worldFromObject[3] = dvec4(object.source.translateWorld, 1.0);
+    const Stage stage = stageAround(boundsWorld(object), largestExtent(bounds));
     object.name = scene->name;
     object.partMaterials = addMaterials(*scene, *object.mesh, obj.materials);
     std::error_code ignored; // it was read a moment ago
@@ -177,9 +184,9 @@ std::shared_ptr<const Scene> stageObj(const std::filesystem::path& file, const L
     if (std::ranges::all_of(object.partMaterials, [](std::uint32_t material) { return material == kClay; }))
         object.source.material = "clay";
     Object floor = floorUnder(stage);
-    floor.partMaterials = {1};
+    floor.partMaterials = {kFloorMaterial};
     scene->lights = {keyLight(stage)};
-    scene->camera = stageFraming(stage, object, scene->lights.front());
+    scene->camera = stageFraming(stage, {&object, 1}, scene->lights.front().positionWorld);
     scene->ambient = vec3(0.09f);                  // umbra clearly above black
     scene->background = vec3(0.32f, 0.33f, 0.35f); // neutral, darker than the lit floor
     scene->objects.push_back(std::move(floor));

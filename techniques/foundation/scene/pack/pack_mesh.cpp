@@ -8,12 +8,14 @@
 #include <string_view>
 #include <vector>
 
+#include "techniques/foundation/scene/gltf/load_gltf.h"
 #include "techniques/foundation/scene/load/file_access.h"
 #include "techniques/foundation/scene/load/misnamed_files.h"
 #include "techniques/foundation/scene/load/text_encoding.h"
 #include "techniques/foundation/scene/obj/library_names.h"
 #include "techniques/foundation/scene/obj/mtl_map.h"
 #include "techniques/foundation/scene/obj/statement_lines.h"
+#include "techniques/foundation/scene/pack/pack_gltf.h"
 #include "techniques/foundation/scene/pack/replaced_text.h"
 
 namespace shadowlab::scene {
@@ -131,6 +133,7 @@ private:
 } // namespace
 
 std::filesystem::path packMesh(const std::filesystem::path& file, const LoadOptions& options, PackedFiles& files) {
+    if (isGltfFile(file)) return packGltf(file, options, files);
     return MeshPacker(file, options, files).run();
 }
 

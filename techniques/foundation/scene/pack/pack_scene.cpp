@@ -24,14 +24,6 @@ const JsonValue* memberOf(const JsonValue& object, std::string_view key) {
     return found == object.members.end() ? nullptr : &found->value;
 }
 
-/// A string with its quotes, as it stands in the text.
-std::string_view tokenAt(std::string_view text, std::size_t offset) {
-    std::size_t end = offset + 1;
-    while (text[end] != '"')
-        end += text[end] == '\\' ? 2 : 1;
-    return text.substr(offset, end + 1 - offset);
-}
-
 /// A scene file that was read before without a fault.
 class ScenePacker {
 public:
@@ -55,7 +47,7 @@ public:
         std::ranges::sort(places_, {}, [](const Place& place) { return place.value->offset; });
         ReplacedText replaced(document_.text());
         for (const Place& place : places_)
-            replaced.replace(tokenAt(document_.text(), place.value->offset), textInJson(place.path.generic_string()));
+            replaced.replace(ReplacedText::tokenAt(document_.text(), place.value->offset), textInJson(place.path.generic_string()));
         return std::move(replaced).finish();
     }
 

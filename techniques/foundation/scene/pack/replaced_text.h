@@ -22,6 +22,14 @@ public:
 
     [[nodiscard]] std::string finish() && { return std::move(result_ += text_.substr(done_)); }
 
+    /// A string of JSON with its quotes, as it stands in a text that was parsed.
+    static std::string_view tokenAt(std::string_view text, std::size_t offset) {
+        std::size_t end = offset + 1;
+        while (text[end] != '"')
+            end += text[end] == '\\' ? 2 : 1;
+        return text.substr(offset, end + 1 - offset);
+    }
+
 private:
     std::string_view text_;
     std::string result_;
