@@ -4,13 +4,31 @@
 #include <algorithm>
 
 #include "app/context/assets.h"
+#include "app/cli/messages.h"
+#include "app/cli/option_values.h"
 #include "app/picture/limits.h"
 #include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/load/scene_file.h"
 
 namespace shadowlab::cli {
 
 void describeScene(DescribedOptions& add) {
     add.option("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh");
+}
+
+void describeNormals(DescribedOptions& add) {
+    add.option("--normals", "MODE", "of an .obj mesh: file, flat or smooth (default file: as it has them); scenes have a key for it");
+}
+
+std::optional<scene::NormalMode> normalsFrom(const GivenOptions& given, const std::string& scene) {
+    if (!given.has("--normals")) return {};
+    const std::vector<std::string> modes(scene::kNormalModes.begin(), scene::kNormalModes.end());
+    const auto mode = static_cast<scene::NormalMode>(choiceFrom("--normals", given.text("--normals"), modes));
+    if (!std::filesystem::path(scene).has_extension() || scene::isSceneFile(scene))
+        refuseUsage("--normals: it is for a mesh, and '" + scene::shown(scene) +
+                    "' is a scene; write \"normals\" in its objects instead");
+    return mode;
 }
 
 void describeBackend(DescribedOptions& add) {
@@ -21,8 +39,8 @@ context::Backend backendFrom(const GivenOptions& given) {
     return context::backendFromName(given.text("--backend", "auto"));
 }
 
-scene::LoadOptions loadOptions(std::vector<std::filesystem::path> allowed) {
-    return {.assetsRoot = context::assetsRoot(), .allowed = std::move(allowed), .limits = picture::limits()};
+scene::LoadOptions loadOptions(std::vector<std::filesystem::path> allowed, std::optional<scene::NormalMode> normals) {
+    return {.assetsRoot = context::assetsRoot(), .allowed = std::move(allowed), .limits = picture::limits(), .normals = normals};
 }
 
 void requireDriverDraws(ivec2 size) {

@@ -34,6 +34,7 @@ struct MeasureOptions {
     context::Backend backend = context::Backend::automatic;
     MotionOptions motion;
     bool json = false;
+    std::optional<scene::NormalMode> normals; ///< of a mesh; none: as it has them
     std::vector<std::filesystem::path> allowed;
 };
 
@@ -48,6 +49,7 @@ void describeMeasure(DescribedOptions& add) {
     describeBackend(add);
     describeMotion(add);
     add.flag("--json", "one JSON object instead of a table");
+    describeNormals(add);
     add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
     add.footer("Times are medians over the frames; errors are those of the first frame; flips are of all frames.\n"
                "Examples:\n"
@@ -69,6 +71,7 @@ MeasureOptions measureOptions(const GivenOptions& given) {
     options.motion = motionOptions(given);
     options.json = given.has("--json");
     options.allowed = given.allowedFolders();
+    options.normals = normalsFrom(given, options.scene);
     return options;
 }
 
@@ -126,7 +129,7 @@ int measure(const MeasureOptions& options) {
         requireVisibility(*slots.back().info);
     }
     lab::applySettings(slots, options.settings);
-    const scene::Snapshot base = scene::loadScene(options.scene, loadOptions(options.allowed));
+    const scene::Snapshot base = scene::loadScene(options.scene, loadOptions(options.allowed, options.normals));
     const int light = lightToMeasure(*base, options.scene, options.light);
     const film::Motion motion = motionOf(options.motion, *base);
 

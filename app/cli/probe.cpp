@@ -38,6 +38,7 @@ struct ProbeOptions {
     bool json = false;
     std::filesystem::path diagram; ///< empty: none
     std::string figure = "pixel";  ///< what is drawn there (figures/figures.h)
+    std::optional<scene::NormalMode> normals; ///< of a mesh; none: as it has them
     std::vector<std::filesystem::path> allowed;
 };
 
@@ -62,6 +63,7 @@ void describeProbe(DescribedOptions& add) {
         "picture");
     add.option("--figure", "NAME",
                "which figure --diagram draws (`list figures`; default pixel, all that the technique has)");
+    describeNormals(add);
     add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
     add.footer("Needs no graphics card.\n"
                "Examples:\n"
@@ -105,6 +107,7 @@ ProbeOptions probeOptions(const GivenOptions& given) {
         refuseUsage("--figure is drawn into a file; write --diagram OUT.svg or OUT.png, too");
     options.figure = figures::findFigure(given.text("--figure", options.figure)).name;
     options.allowed = given.allowedFolders();
+    options.normals = normalsFrom(given, options.scene);
     return options;
 }
 
@@ -135,7 +138,7 @@ int probe(const ProbeOptions& options) {
     slots.push_back(picture::Session::makeSlot(options.technique));
     lab::applySettings(slots, options.settings);
     if (!options.diagram.empty()) image::probeWritable(options.diagram);
-    const scene::Snapshot scene = scene::loadScene(options.scene, loadOptions(options.allowed));
+    const scene::Snapshot scene = scene::loadScene(options.scene, loadOptions(options.allowed, options.normals));
     int light = scene->lights.empty() ? kNoLight : 0;
     if (!options.light.empty()) light = picture::lightIndex(*scene, options.light);
     View view;

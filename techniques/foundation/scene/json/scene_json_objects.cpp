@@ -36,14 +36,18 @@ public:
     void read(const JsonValue& value, const std::string& what);
 
 private:
-    struct LoadedMesh {
+    struct LoadedPiece {
         std::shared_ptr<const Mesh> mesh;
         std::vector<std::uint32_t> partMaterials;
+    };
+    struct LoadedMesh {
+        std::vector<LoadedPiece> pieces; ///< mostly one
         std::string shape;          ///< ShapeRequest::id
         std::filesystem::path file; ///< canonical
     };
 
     JsonObject checkedKeys(const JsonValue& value, const std::string& what) const;
+    LoadedPiece loadedPiece(const std::filesystem::path& canonical, const ObjFile& file, const MaterialsByName& known, Mesh mesh);
     LoadedMesh meshOf(const JsonObject& keys);
     LoadedMesh loadedFile(const JsonObject& keys, NormalMode mode);
     LoadedMesh shape(const JsonObject& keys, NormalMode mode);
@@ -136,7 +140,7 @@ ObjectReader::LoadedMesh ObjectReader::shape(const JsonObject& keys, NormalMode 
     checkTriangles(keys, request.triangles); // before anything is built
     std::shared_ptr<const Mesh>& mesh = shapes_[{request.id, mode}];
     if (!mesh) mesh = sharedMesh(withNormals(request.make(), mode));
-    return {mesh, {kWhite}, request.id, {}};
+    return {{{mesh, {kWhite}}}, request.id, {}};
 }
 
 void ObjectReader::countShapes(std::span<const JsonValue> values) {
@@ -174,6 +178,15 @@ std::uint32_t ObjectReader::materialOfFile(const std::filesystem::path& canonica
     return entry->second;
 }
 
+ObjectReader::LoadedPiece ObjectReader::loadedPiece(const std::filesystem::path& canonical, const ObjFile& file,
+                                                    const MaterialsByName& known, Mesh mesh) {
+    LoadedPiece piece;
+    for (const MeshPart& part : mesh.parts)
+        piece.partMaterials.push_back(materialOfFile(canonical, file, known, part.materialName));
+    piece.mesh = sharedMesh(std::move(mesh));
+    return piece;
+}
+
 ObjectReader::LoadedMesh ObjectReader::loadedFile(const JsonObject& keys, NormalMode mode) {
     const ReferredFile file = readReference(reading_, keys, "mesh");
     const auto [entry, isNew] = files_.try_emplace({file.canonical.string(), mode});
@@ -184,9 +197,9 @@ ObjectReader::LoadedMesh ObjectReader::loadedFile(const JsonObject& keys, Normal
     options.allowed.push_back(reading_.file.parent_path().empty() ? "." : reading_.file.parent_path());
     ObjFile obj = loadObj(file.path, mode, options);
     const MaterialsByName known = materialsByName(obj.materials);
-    for (const MeshPart& part : obj.mesh.parts)
-        loaded.partMaterials.push_back(materialOfFile(file.canonical, obj, known, part.materialName));
-    loaded.mesh = sharedMesh(std::move(obj.mesh));
+    loaded.pieces.push_back(loadedPiece(file.canonical, obj, known, std::move(obj.mesh)));
+    for (Mesh& piece : obj.furtherPieces)
+        loaded.pieces.push_back(loadedPiece(file.canonical, obj, known, std::move(piece)));
     loaded.file = file.canonical;
     std::vector<std::string>& notes = reading_.scene.notes;
     for (std::string& note : obj.notes)
@@ -198,18 +211,20 @@ ObjectReader::LoadedMesh ObjectReader::meshOf(const JsonObject& keys) {
     NormalMode mode = NormalMode::file; // for a shape: as it is built, smooth or flat
     if (keys.find("normals")) {
         const std::string text = keys.text("normals");
-        const std::vector<std::string> modes{"file", "flat", "smooth"};
+        const std::vector<std::string> modes(kNormalModes.begin(), kNormalModes.end());
         const auto found = std::ranges::find(modes, text);
         if (found == modes.end()) keys.fail("normals", "is " + inQuotes(text) + "; " + suggestion(text, modes));
         mode = static_cast<NormalMode>(found - modes.begin());
     }
     LoadedMesh loaded = keys.find("mesh") ? loadedFile(keys, mode) : shape(keys, mode);
     if (!keys.find("material")) return loaded;
-    std::ranges::fill(loaded.partMaterials, materialIndex(keys));
     const Material& material = reading_.scene.materials[materialIndex(keys)];
-    for (const MeshPart& part : loaded.mesh->parts)
-        if (const std::string note = noteOnWholePart(material, part); !note.empty())
-            reading_.scene.notes.push_back(keys.what() + ": " + note);
+    for (LoadedPiece& piece : loaded.pieces) {
+        std::ranges::fill(piece.partMaterials, materialIndex(keys));
+        for (const MeshPart& part : piece.mesh->parts)
+            if (const std::string note = noteOnWholePart(material, part); !note.empty())
+                reading_.scene.notes.push_back(keys.what() + ": " + note);
+    }
     return loaded;
 }
 
@@ -247,16 +262,17 @@ std::string ObjectReader::uniqueName(const std::string& wish) {
 void ObjectReader::read(const JsonValue& value, const std::string& what) {
     const JsonObject keys = checkedKeys(value, what);
     LoadedMesh loaded = meshOf(keys);
-    checkTriangles(keys, loaded.mesh->triangles.size());
-    triangles_ += loaded.mesh->triangles.size();
+    std::uint64_t triangles = 0;
+    for (const LoadedPiece& piece : loaded.pieces)
+        triangles += piece.mesh->triangles.size();
+    checkTriangles(keys, triangles);
+    triangles_ += triangles;
 
     Object object;
     const std::string kind =
         keys.find("shape") ? keys.text("shape") : std::filesystem::path(lastPart(keys.text("mesh"))).stem().string();
     object.name = keys.find("name") ? keys.text("name") : uniqueName(kind);
     names_.insert(object.name);
-    object.mesh = std::move(loaded.mesh);
-    object.partMaterials = std::move(loaded.partMaterials);
     object.source = {.shape = loaded.shape,
                      .mesh = loaded.file,
                      .material = keys.find("material") ? keys.text("material") : "",
@@ -270,13 +286,20 @@ void ObjectReader::read(const JsonValue& value, const std::string& what) {
     object.receivesShadow = keys.boolean("receivesShadow", true);
     object.velocityWorld = keys.vector("velocity", reading_.anyNumber(), dvec3(0));
 
-    const Bounds bounds = boundsWorld(object);
+    const std::size_t first = reading_.scene.objects.size();
+    Bounds bounds;
+    for (LoadedPiece& piece : loaded.pieces) {
+        object.mesh = std::move(piece.mesh);
+        object.partMaterials = std::move(piece.partMaterials);
+        object.isFurtherPiece = reading_.scene.objects.size() > first;
+        bounds.include(boundsWorld(object));
+        reading_.scene.objects.push_back(object);
+    }
     const dvec3 farthest = glm::max(glm::abs(bounds.lowerWorld), glm::abs(bounds.upperWorld));
     const double limit = reading_.options.limits.coordinate;
     if (!(glm::max(farthest.x, glm::max(farthest.y, farthest.z)) <= limit))
         reading_.document.fail(value.offset, keys.what() + " reaches beyond " + numberText(limit) +
                                                  " m from the origin; reduce its scale or translate");
-    reading_.scene.objects.push_back(std::move(object));
 }
 
 } // namespace

@@ -2,29 +2,72 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/obj/outliers.h"
 #include "techniques/foundation/scene/query/topology/outward_parts.h"
 
 namespace shadowlab::scene {
 
 namespace {
 
+/// Vertices of a piece of the mesh that the stage is made for: all but those that lie far from nearly all others.
+struct FramedVertices {
+    dvec3 originObject{0.0};
+    std::vector<vec3> positionsMesh;
+};
+
 /// The mesh where it will stand: centred over the origin, its lowest point on y = 0.
 struct Stage {
+    std::vector<FramedVertices> framed;
     Bounds meshWorld;
     double size;       ///< largest extent of the mesh; every length below is a multiple of it
     double floorWorld; ///< height of the floor
 };
 
-Object placedMesh(ObjFile& obj, Stage& stage) {
-    Object object;
-    object.mesh = sharedMesh(std::move(obj.mesh));
-    const Bounds bounds = boundsWorld(object);
+std::vector<FramedVertices> framedVertices(const std::vector<Object>& pieces) {
+    std::vector<FramedVertices> framed;
+    for (const Object& piece : pieces)
+        framed.push_back({piece.mesh->originObject, piece.mesh->positionsMesh});
+    if (pieces.front().mesh->outlierCount == 0) return framed;
+    std::vector<dvec3> all;
+    for (const FramedVertices& vertices : framed)
+        for (const vec3& positionMesh : vertices.positionsMesh)
+            all.push_back(vertices.originObject + dvec3(positionMesh));
+    const CommonPlace place(all.size(), [&](std::size_t i) { return all[i]; });
+    for (FramedVertices& vertices : framed)
+        std::erase_if(vertices.positionsMesh,
+                      [&](const vec3& positionMesh) { return place.isFar(vertices.originObject + dvec3(positionMesh)); });
+    return framed;
+}
+
+Bounds boundsOf(const std::vector<FramedVertices>& framed, const dmat4& worldFromObject) {
+    Bounds bounds;
+    for (const FramedVertices& vertices : framed) {
+        dmat4 worldFromMesh = worldFromObject;
+        worldFromMesh[3] = worldFromObject * dvec4(vertices.originObject, 1.0);
+        for (const vec3& positionMesh : vertices.positionsMesh)
+            bounds.include(transformPoint(worldFromMesh, dvec3(positionMesh)));
+    }
+    return bounds;
+}
+
+/// The object, or its pieces, without materials.
+std::vector<Object> placedMesh(ObjFile& obj, Stage& stage) {
+    std::vector<Object> pieces(1 + obj.furtherPieces.size());
+    pieces.front().mesh = sharedMesh(std::move(obj.mesh));
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        pieces[i].mesh = sharedMesh(std::move(obj.furtherPieces[i - 1]));
+        pieces[i].isFurtherPiece = true;
+    }
+    stage.framed = framedVertices(pieces);
+    const Bounds bounds = boundsOf(stage.framed, dmat4(1.0));
     const dvec3 extent = bounds.upperWorld - bounds.lowerWorld;
     stage.size = glm::max(extent.x, glm::max(extent.y, extent.z));
 
@@ -32,13 +75,15 @@ Object placedMesh(ObjFile& obj, Stage& stage) {
     const bool isFlat = extent.y < 0.02 * stage.size;
     const double lift = isFlat ? 0.3 * stage.size : 0.0;
     const dvec3 centre = 0.5 * (bounds.lowerWorld + bounds.upperWorld);
-    object.source.translateWorld = dvec3(-centre.x, lift - bounds.lowerWorld.y, -centre.z);
-    object.worldFromObject[3] = dvec4(object.source.translateWorld, 1.0);
-    stage.meshWorld = boundsWorld(object);
+    for (Object& piece : pieces) {
+        piece.source.translateWorld = dvec3(-centre.x, lift - bounds.lowerWorld.y, -centre.z);
+        piece.worldFromObject[3] = dvec4(piece.source.translateWorld, 1.0);
+    }
+    stage.meshWorld = boundsOf(stage.framed, pieces.front().worldFromObject);
     // Just under the mesh: 1/1024 of its size is too little to see and enough for a 24-bit depth buffer to tell a flat
     // underside from the floor at the distance of this camera.
     stage.floorWorld = -stage.size / 1024.0;
-    return object;
+    return pieces;
 }
 
 Object floorUnder(const Stage& stage) {
@@ -88,7 +133,7 @@ private:
 };
 
 /// From the front right and above, so near that the mesh and its shadow fill the picture.
-Camera stageFraming(const Stage& stage, const Object& object, const Light& light) {
+Camera stageFraming(const Stage& stage, const dmat4& worldFromObject, const Light& light) {
     Camera camera;
     camera.fovYDegrees = 35.0;                                          // a long lens: little distortion
     const dvec3 backwardWorld = glm::normalize(dvec3(0.35, 0.45, 1.0)); // three-quarter view, 23 degrees down
@@ -109,12 +154,13 @@ Camera stageFraming(const Stage& stage, const Object& object, const Light& light
     // square.
     const double half = std::tan(camera.fovYDegrees * glm::pi<double>() / 360.0);
     AxisFit meshUp(0.6 * half), seenAcross(0.8 * half), seenUp(0.9 * half), boxAcross(0.97 * half), boxUp(0.97 * half);
-    for (const vec3& positionMesh : object.mesh->positionsMesh) {
-        const dvec3 pointWorld(object.worldFromObject * dvec4(object.mesh->originObject + dvec3(positionMesh), 1.0));
-        meshUp.include(glm::dot(pointWorld, aboveWorld), glm::dot(pointWorld, backwardWorld));
-        include(seenAcross, seenUp, pointWorld);
-        include(seenAcross, seenUp, shadowOf(pointWorld));
-    }
+    for (const FramedVertices& vertices : stage.framed)
+        for (const vec3& positionMesh : vertices.positionsMesh) {
+            const dvec3 pointWorld(worldFromObject * dvec4(vertices.originObject + dvec3(positionMesh), 1.0));
+            meshUp.include(glm::dot(pointWorld, aboveWorld), glm::dot(pointWorld, backwardWorld));
+            include(seenAcross, seenUp, pointWorld);
+            include(seenAcross, seenUp, shadowOf(pointWorld));
+        }
     for (int i = 0; i < 8; ++i) {
         include(boxAcross, boxUp, stage.meshWorld.corner(i));
         include(boxAcross, boxUp, shadowOf(stage.meshWorld.corner(i)));
@@ -136,54 +182,63 @@ Camera stageFraming(const Stage& stage, const Object& object, const Light& light
 constexpr std::uint32_t kClay = 2;
 
 /// Material 0: white, as in every scene; 1: the floor; 2: clay, for parts without a material of their own.
-std::vector<std::uint32_t> addMaterials(Scene& scene, const Mesh& mesh, const std::vector<Material>& fromFile) {
+void addMaterials(Scene& scene, std::vector<Object>& pieces, const std::vector<Material>& fromFile) {
     Material floor, clay;
     floor.name = "floor";
     floor.diffuse = vec3(0.75f);
     clay.name = "clay";
     clay.diffuse = vec3(0.72f, 0.62f, 0.52f); // warm, so that the mesh stands out from the grey floor
     scene.materials = {Material{}, floor, clay};
-    std::vector<std::uint32_t> partMaterials;
     const MaterialsByName known = materialsByName(fromFile);
-    for (const MeshPart& part : mesh.parts) {
-        partMaterials.push_back(kClay);
-        const auto found = known.find(part.materialName);
-        if (part.materialName.empty() || found == known.end()) continue;
-        const Material& material = fromFile[found->second];
-        partMaterials.back() = static_cast<std::uint32_t>(scene.materials.size());
-        scene.materials.push_back(material);
-        scene.materials.back().ofMesh = true;
-        for (int i = 0; i < 3; ++i) // parts have different names, so only the three above can be in the way
-            if (scene.materials[i].name == material.name) scene.materials.back().name += " (of the mesh)";
-    }
-    return partMaterials;
+    std::map<std::pair<std::string, bool>, std::uint32_t> added; // by the part's name; one material may have two parts in a mesh
+    for (Object& piece : pieces)
+        for (const MeshPart& part : piece.mesh->parts) {
+            piece.partMaterials.push_back(kClay);
+            const auto found = known.find(part.materialName);
+            if (part.materialName.empty() || found == known.end()) continue;
+            const Material& material = fromFile[found->second];
+            const auto [entry, isNew] =
+                added.try_emplace({part.materialName, part.hasTexcoords}, static_cast<std::uint32_t>(scene.materials.size()));
+            piece.partMaterials.back() = entry->second;
+            if (!isNew) continue;
+            scene.materials.push_back(material);
+            scene.materials.back().ofMesh = true;
+            for (int i = 0; i < 3; ++i) // parts have different names, so only the three above can be in the way
+                if (scene.materials[i].name == material.name) scene.materials.back().name += " (of the mesh)";
+        }
 }
 
 } // namespace
 
 std::shared_ptr<const Scene> stageObj(const std::filesystem::path& file, const LoadOptions& options) {
-    ObjFile obj = loadObj(file, NormalMode::file, options);
+    ObjFile obj = loadObj(file, options.normals.value_or(NormalMode::file), options);
     const auto scene = std::make_shared<Scene>();
     scene->name = file.stem().string();
     scene->notes = std::move(obj.notes);
 
     Stage stage{};
-    Object object = placedMesh(obj, stage);
-    object.name = scene->name;
-    object.partMaterials = addMaterials(*scene, *object.mesh, obj.materials);
+    std::vector<Object> pieces = placedMesh(obj, stage);
+    addMaterials(*scene, pieces, obj.materials);
     std::error_code ignored; // it was read a moment ago
-    object.source.mesh = std::filesystem::weakly_canonical(file, ignored);
-    // Where the file has materials of its own, "white" is written as clay for the others (write_scene.h).
-    if (std::ranges::all_of(object.partMaterials, [](std::uint32_t material) { return material == kClay; }))
-        object.source.material = "clay";
+    const std::filesystem::path canonical = std::filesystem::weakly_canonical(file, ignored);
+    const bool isClay = std::ranges::all_of(pieces, [](const Object& piece) {
+        return std::ranges::all_of(piece.partMaterials, [](std::uint32_t material) { return material == kClay; });
+    });
+    for (Object& piece : pieces) {
+        piece.name = scene->name;
+        piece.source.mesh = canonical;
+        // Where the file has materials of its own, "white" is written as clay for the others (write_scene.h).
+        if (isClay) piece.source.material = "clay";
+        if (options.normals) piece.source.normals = kNormalModes[static_cast<std::size_t>(*options.normals)];
+    }
     Object floor = floorUnder(stage);
     floor.partMaterials = {1};
     scene->lights = {keyLight(stage)};
-    scene->camera = stageFraming(stage, object, scene->lights.front());
+    scene->camera = stageFraming(stage, pieces.front().worldFromObject, scene->lights.front());
     scene->ambient = vec3(0.09f);                  // umbra clearly above black
     scene->background = vec3(0.32f, 0.33f, 0.35f); // neutral, darker than the lit floor
     scene->objects.push_back(std::move(floor));
-    scene->objects.push_back(std::move(object));
+    std::ranges::move(pieces, std::back_inserter(scene->objects));
     addEmitterSurfaces(*scene);
     scene->memory = memoryBudget(*scene, options.limits);
     return scene;
