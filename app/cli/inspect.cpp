@@ -186,15 +186,18 @@ std::string oddities(const InspectedMesh& mesh) {
         text += "scale: " + name + " is " + metres(mesh.largestInWorld) + " m across, " +
                 (mesh.scale == Scale::tiny ? "smaller than a millimetre" : "larger than ten kilometres") +
                 "; was it made in another unit than metres?\n";
+    const bool isCoarse = mesh.stepMetres > kCoarse * mesh.shortestEdge;
     std::string origins;
     for (const auto& piece : mesh.pieces)
-        origins += (origins.empty() ? "(" : ", (") + joined(piece->originObject, ", ") + ")";
+        if (const std::string origin = "(" + joined(piece->originObject, ", ") + ")"; origins.find(origin) == std::string::npos)
+            origins += (origins.empty() ? "" : ", ") + origin;
     if (mesh.pieces.size() > 1)
         text += "origins: " + name + " is too wide for floats about one origin to hold its edges; it is kept in " +
                 std::to_string(mesh.pieces.size()) + " pieces, about " + origins + "\n";
     else if (mesh.pieces.front()->originObject != dvec3(0.0))
-        text += "origin: " + name + " lies far from its origin; positions are kept relative to " + origins + ", so no detail is lost\n";
-    if (mesh.stepMetres > kCoarse * mesh.shortestEdge)
+        text += "origin: " + name + " lies far from its origin; positions are kept relative to " + origins +
+                (isCoarse ? "\n" : ", so no detail is lost\n");
+    if (isCoarse)
         text += "step: the floats of " + name + " are up to " + metres(mesh.stepMetres) + " m apart, and its shortest edges are " +
                 metres(mesh.shortestEdge) + " m long; it hangs together and cannot be kept in pieces: split it where this matters\n";
     if (const scene::Mesh& first = *mesh.pieces.front(); first.outlierCount > 0) {

@@ -214,6 +214,23 @@ TEST(WideMeshes, AreCutOnlyWhereTheyHaveToBe) {
     EXPECT_EQ(pieces(Kind::twoVillages), 2u);
 }
 
+// Shadow maps and depth ranges are fitted to boxes of objects.
+TEST(WideMeshes, AStrayCornerDoesNotWidenTheBoxOfTheRest) {
+    for (const dvec3 place : {dvec3(0), kCountry})
+        for (const bool onPost : {false, true}) {
+            Written mesh;
+            addVillage(mesh, place);
+            const std::uint32_t stray = mesh.vertex(place + dvec3(-90'000, 0, -40'000));
+            mesh.face(onPost ? 10 : 8, onPost ? 11 : 9, stray);
+            const TempFolder folder;
+            const Snapshot scene = sceneOf(folder, mesh, place);
+            ASSERT_EQ(scene->objects.size(), 2u);
+            const Bounds box = boundsWorld(scene->objects[0]);
+            EXPECT_NEAR(box.upperWorld.x - box.lowerWorld.x, 12, 1e-3);
+            EXPECT_EQ(scene->objects[0].mesh->originObject, scene->objects[1].mesh->originObject) << "or the corners that they share part";
+        }
+}
+
 TEST(WideMeshes, OrdinaryOnesKeepTheirFloats) {
     const Written mesh = meshOf(Kind::home);
     EXPECT_TRUE(meshPieces(mesh.positions, mesh.triangles, dvec3(0)).origins.empty());

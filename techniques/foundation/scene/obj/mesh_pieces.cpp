@@ -95,9 +95,11 @@ private:
     [[nodiscard]] bool holds(const dvec3& origin, std::uint32_t vertex) const {
         return distance(positions_[vertex], origin) <= reach_ * details_[vertex];
     }
+    [[nodiscard]] static double farthest(const Component& component, const dvec3& origin) {
+        return largest(glm::max(glm::abs(component.box.lower - origin), glm::abs(component.box.upper - origin)));
+    }
     [[nodiscard]] bool holds(const dvec3& origin, const Component& component) const {
-        const dvec3 farthest = glm::max(glm::abs(component.box.lower - origin), glm::abs(component.box.upper - origin));
-        if (largest(farthest) <= reach_ * component.detail) return true;
+        if (farthest(component, origin) <= reach_ * component.detail) return true;
         return std::ranges::all_of(membersOf(component), [&](std::uint32_t v) { return holds(origin, v); });
     }
     [[nodiscard]] std::span<const std::uint32_t> membersOf(const Component& component) const {
@@ -169,6 +171,12 @@ private:
             for (const std::uint32_t other : order)
                 if (components_[other].piece == kNone && (other == seed || holds(origins_.back(), components_[other])))
                     components_[other].piece = piece;
+        }
+        // A ground with long edges may have come along with a far village: its own is nearer.
+        for (const std::uint32_t i : order) {
+            Component& component = components_[i];
+            for (std::uint32_t piece = 0; piece < origins_.size(); ++piece)
+                if (farthest(component, origins_[piece]) < farthest(component, origins_[component.piece])) component.piece = piece;
         }
         return origins_.size();
     }

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "techniques/foundation/scene/obj/mesh_pieces.h"
+#include "techniques/foundation/scene/obj/outliers.h"
 #include "techniques/foundation/scene/obj/polygon_triangulation.h"
 #include "techniques/foundation/scene/obj/smoothing_groups.h"
 #include "techniques/foundation/scene/obj/vertex_welder.h"
@@ -78,16 +79,23 @@ std::vector<CornerTriangle> split(const ObjScan& scan, const ObjFaces& faces) {
 
 /// Origins of the mesh, and which triangle counts from which. A look at the shortest edge of all shows that most meshes need one.
 MeshPieces piecesFor(const ObjScan& scan, const ObjFaces& faces, std::span<const CornerTriangle> triangles) {
+    const auto positionOf = [&](std::size_t corner) -> const dvec3& { return scan.positions[faces.corners[corner].position]; };
     const dvec3 usual = originOf(scan, faces);
+    const CommonPlace place(faces.corners.size(), positionOf);
     double shortestSquared = std::numeric_limits<double>::infinity(), farthest = 0;
-    for (const CornerTriangle& triangle : triangles)
+    std::vector<std::uint32_t> reaching; // triangles with a corner that lies far from most
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        bool reachesOut = false;
         for (std::size_t i = 0; i < 3; ++i) {
-            const dvec3& a = scan.positions[faces.corners[triangle.corners[i]].position];
-            const dvec3 edge = scan.positions[faces.corners[triangle.corners[(i + 1) % 3]].position] - a;
+            const dvec3& a = positionOf(triangles[t].corners[i]);
+            const dvec3 edge = positionOf(triangles[t].corners[(i + 1) % 3]) - a;
             if (const double squared = glm::dot(edge, edge); squared > 0) shortestSquared = std::min(shortestSquared, squared);
             const dvec3 out = glm::abs(a - usual);
             farthest = std::max({farthest, out.x, out.y, out.z});
+            reachesOut = reachesOut || place.isFar(a);
         }
+        if (reachesOut) reaching.push_back(t);
+    }
     MeshPieces pieces;
     if (farthest > kReachInEdges * std::sqrt(shortestSquared)) {
         std::vector<uvec3> corners;
@@ -97,7 +105,14 @@ MeshPieces piecesFor(const ObjScan& scan, const ObjFaces& faces, std::span<const
                                  faces.corners[t.corners[2]].position);
         pieces = meshPieces(scan.positions, corners, usual);
     }
-    if (pieces.origins.empty()) pieces.origins.push_back(usual);
+    if (!pieces.origins.empty()) return pieces;
+    pieces.origins.push_back(usual);
+    if (reaching.empty()) return pieces;
+    // One origin holds all, but the box around the rest stays small without them.
+    pieces.origins.push_back(usual);
+    pieces.pieceOf.assign(triangles.size(), 0);
+    for (const std::uint32_t triangle : reaching)
+        pieces.pieceOf[triangle] = 1;
     return pieces;
 }
 
