@@ -85,7 +85,7 @@ std::vector<std::string> spellings(const std::string& reference) {
         const std::string plain(unquoted(text));
         add(plain);
         const std::string path = withSlashes(plain);
-        for (const std::string& spelling : {path, withoutUrl(path)}) {
+        for (const std::string& spelling : {path, withSlashes(withoutUrl(path))}) {
             add(spelling);
             if (isAbsolute(spelling))
                 for (std::string& end : endsOf(spelling))

@@ -3,6 +3,8 @@
 #include "techniques/foundation/scene/obj/mesh_pieces.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -259,10 +261,10 @@ std::vector<std::uint32_t> samePlaces(std::span<const dvec3> positions) {
     std::vector<std::uint32_t> firstOf, places;
     places.reserve(positions.size());
     for (const dvec3& position : positions) {
-        // Three floats hold all bits of a double.
-        const vec3 high(position), middle(position - dvec3(high)), low(position - dvec3(high) - dvec3(middle));
-        const vec3 zero(0.0f); // added, it turns -0 into +0
-        const std::uint32_t place = welder.index({.position = high + zero, .normal = middle + zero, .color = low + zero});
+        // The welder compares bits: two floats hold those of a double. Zero, added, turns -0 into +0.
+        const auto bits = std::bit_cast<std::array<float, 6>>(position + dvec3(0.0));
+        const std::uint32_t place =
+            welder.index({.position = {bits[0], bits[1], bits[2]}, .normal = {bits[3], bits[4], bits[5]}});
         if (place == firstOf.size()) firstOf.push_back(static_cast<std::uint32_t>(places.size()));
         places.push_back(firstOf[place]);
     }

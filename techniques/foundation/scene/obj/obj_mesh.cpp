@@ -157,9 +157,10 @@ namespace {
 
 /// Where the normals come from.
 struct NormalSource {
-    bool ofFile = true;                 ///< a corner's own, where it has one
+    bool ofFile = true;                ///< a corner's own, where it has one
+    bool ofTriangles = false;          ///< those of groups are means of triangles, not of faces, as withNormals() takes them
     std::vector<std::uint32_t> groups; ///< of each face; empty: none has one
-    std::vector<dvec3> positions;       ///< from which those of groups are computed
+    std::vector<dvec3> positions;      ///< from which those of groups are computed
 
     [[nodiscard]] std::uint32_t groupOf(std::uint32_t face) const { return groups.empty() ? 0 : groups[face]; }
 };
@@ -211,6 +212,7 @@ NormalSource normalSource(const ObjScan& scan, const MeshPieces& pieces, NormalM
     const bool inPieces = pieces.origins.size() > 1;
     if (inPieces && mode != NormalMode::file) {
         source.ofFile = false;
+        source.ofTriangles = true;
         source.groups.assign(mode == NormalMode::smooth ? faceCount : 0, 1);
     }
     if (source.groups.empty()) return source;
@@ -221,9 +223,18 @@ NormalSource normalSource(const ObjScan& scan, const MeshPieces& pieces, NormalM
     return source;
 }
 
-GroupNormals groupNormals(const NormalSource& source, const ObjFaces& faces) {
+GroupNormals groupNormals(const NormalSource& source, const ObjFaces& faces, std::span<const CornerTriangle> triangles) {
     GroupNormals smooth(source.positions);
     std::vector<std::uint32_t> positions; // of a face
+    if (source.ofTriangles && !source.groups.empty()) {
+        for (const CornerTriangle& triangle : triangles) {
+            positions.clear();
+            for (const std::uint32_t corner : triangle.corners)
+                positions.push_back(faces.corners[corner].position);
+            smooth.add(source.groupOf(triangle.face), positions);
+        }
+        return smooth;
+    }
     for (std::size_t face = 0; face < source.groups.size(); ++face) {
         positions.clear();
         for (std::uint32_t i = faces.firstCorner[face]; i < faces.firstCorner[face + 1]; ++i)
@@ -239,7 +250,7 @@ std::vector<Mesh> buildMeshes(const ObjScan& scan, const ObjFaces& faces, Normal
     std::vector<CornerTriangle> triangles = split(scan, faces);
     const MeshPieces pieces = piecesFor(scan, faces, triangles);
     const NormalSource normals = normalSource(scan, pieces, mode, faces.materialOf.size());
-    const GroupNormals smooth = groupNormals(normals, faces);
+    const GroupNormals smooth = groupNormals(normals, faces, triangles);
     std::vector<Mesh> meshes;
     if (pieces.origins.size() == 1) {
         meshes.push_back(buildPiece(scan, faces, std::move(triangles), pieces.origins.front(), normals, smooth));
