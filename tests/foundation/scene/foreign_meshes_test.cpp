@@ -131,8 +131,8 @@ TEST(ForeignMeshes, LibrariesAreFoundUnderOtherSpellings) {
                                     "W\u00dcRFEL.MTL",
                                     "sub/Other%20One.mtl",
                                     "sub%5cOther%20One.mtl",
-                                    "file:///C:/Users/me/My%20Models/Scene.mtl",
-                                    "file://localhost/home/me/sub/Other%20One.mtl",
+                                    "file:///C:/models/My%20Models/Scene.mtl",
+                                    "file://localhost/models/sub/Other%20One.mtl",
                                     "FILE:Scene.mtl",
                                     "W%C3%BCrfel.mtl",
                                     "sub\\..\\Scene.mtl"}) {

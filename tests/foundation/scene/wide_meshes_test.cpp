@@ -14,6 +14,7 @@
 #include "techniques/foundation/scene/model/object_pieces.h"
 #include "techniques/foundation/scene/obj/mesh_pieces.h"
 #include "techniques/foundation/scene/obj/obj_mesh.h"
+#include "techniques/foundation/scene/query/outside_camera.h"
 #include "techniques/foundation/scene/query/topology/outward_parts.h"
 #include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "tests/foundation/scene/scene_files.h"
@@ -353,6 +354,14 @@ TEST(WideMeshes, PiecesHaveTheNormalsOfTheWhole) {
             for (int i = 0; i < 3; ++i)
                 ASSERT_LT(glm::length(a.normalsMesh[a.triangles[t][i]] - b.normalsMesh[b.triangles[t][i]]), 1e-4f)
                     << mode;
+    }
+}
+
+TEST(WideMeshes, FarPiecesAreNotPartOfTheViewFromOutside) {
+    for (const Kind kind : kKinds) {
+        const TempFolder folder;
+        const Bounds things = thingsBounds(*sceneOf(folder, meshOf(kind), placeOf(kind)));
+        EXPECT_NEAR(glm::length(things.upperWorld - things.lowerWorld), glm::length(dvec3(12, 2.48, 12)), 1e-3) << static_cast<int>(kind);
     }
 }
 
