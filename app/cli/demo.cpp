@@ -29,6 +29,7 @@ struct DemoOptions {
     std::string slide;  ///< one of the deck's by its name; empty: the first
     ivec2 size{0};      ///< of the window; zero: what it was the last time
     bool presenter = false, keepSettings = true, report = false;
+    std::optional<scene::NormalMode> normals; ///< of a mesh; none: as it has them
     std::vector<std::filesystem::path> allowed;
 };
 
@@ -42,6 +43,7 @@ void describeDemo(DescribedOptions& add) {
     add.option("--keep-settings", "true|false",
                "remember size and panels of the window from run to run (default true)");
     add.flag("--report", "a line of JSON on standard output for every state that is on screen");
+    describeNormals(add);
     add.option("--allow", "DIR", "a further folder that scenes may take meshes from; may be repeated");
     add.footer("In the window H lists all keys. Without a display it writes a picture instead, and says why.\n"
                "Examples:\n"
@@ -63,6 +65,7 @@ DemoOptions demoOptions(const GivenOptions& given) {
     options.keepSettings = booleanFrom("--keep-settings", given.text("--keep-settings", "true"));
     options.report = given.has("--report");
     options.allowed = given.allowedFolders();
+    options.normals = normalsFrom(given, options.scene);
     return options;
 }
 
@@ -74,6 +77,7 @@ int writeComparison(const DemoOptions& options) {
     capture.size = {1600, 900};
     capture.supersample = 2; // smooths the outlines of objects; shadow edges keep each technique's own steps
     capture.allowed = options.allowed;
+    capture.normals = options.normals;
     const std::string name = std::filesystem::path(options.scene).stem().string();
     capture.output = std::filesystem::current_path() / (name + "-comparison.png");
     const int status = cli::capture(capture);
@@ -119,7 +123,7 @@ int writeInstead(const DemoOptions& options, const std::string& why) {
 }
 
 int demo(const DemoOptions& options) {
-    const scene::LoadOptions loading = loadOptions(options.allowed);
+    const scene::LoadOptions loading = loadOptions(options.allowed, options.normals);
     requireSlide(options, loading);
     if (const std::optional<std::string> missing = context::missingDisplay()) {
         (void)scene::loadScene(options.scene, loading); // also where a lesson or a deck is shown in its place

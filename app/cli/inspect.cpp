@@ -6,6 +6,7 @@
 #include <span>
 
 #include "app/cli/command.h"
+#include "app/cli/common_options.h"
 #include "app/cli/inspection.h"
 #include "app/cli/json/json_values.h"
 #include "app/cli/messages.h"
@@ -22,12 +23,14 @@ namespace {
 struct InspectOptions {
     std::string file; ///< a mesh, a .json or the name of a built-in scene
     bool json = false;
+    std::optional<scene::NormalMode> normals;   ///< of a mesh; none: as it has them
     std::vector<std::filesystem::path> allowed; ///< further folders a scene may take meshes from
 };
 
 void describeInspect(DescribedOptions& add) {
     add.option("FILE", "", "a mesh (.obj, .gltf, .glb), a .json scene or a built-in name (`list scenes`)");
     add.flag("--json", "one JSON object instead of a table");
+    describeNormals(add);
     add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
     add.footer("Examples:\n"
                "  shadowlab inspect still-life\n"
@@ -35,8 +38,9 @@ void describeInspect(DescribedOptions& add) {
 }
 
 InspectOptions inspectOptions(const GivenOptions& given) {
-    InspectOptions options{given.required("FILE", "for example shadowlab inspect bunny.obj"), given.has("--json"), {}};
+    InspectOptions options{given.required("FILE", "for example shadowlab inspect bunny.obj"), given.has("--json"), {}, {}};
     options.allowed = given.allowedFolders();
+    options.normals = normalsFrom(given, options.file);
     return options;
 }
 
@@ -96,7 +100,8 @@ std::string meshLines(const InspectedMesh& mesh) {
     rows.push_back({"outward", yes(mesh.outward),
                     "if it is certain that nothing of it is inside out: front faces alone make its shadow volume"});
     rows.push_back({"holes", yes(mesh.report.hasHoles), "if an alpha map cuts holes into it"});
-    return aligned(rows, terminalColumns()) + "size: " + joined(mesh.sizeMetres, " x ") + " m\n";
+    return aligned(rows, terminalColumns()) + "size: " + joined(mesh.sizeMetres, " x ") + " m\n" +
+           "step: " + metres(mesh.stepMetres) + " m between neighbouring floats at most; shortest edges " + metres(mesh.shortestEdge) + " m\n";
 }
 
 /// Several meshes: a row for each.
@@ -104,14 +109,14 @@ std::string meshTable(const std::vector<InspectedMesh>& meshes) {
     Rows rows{{"mesh", "objects"}};
     for (const Count& count : kCounts)
         rows[0].push_back(count.column);
-    rows[0].insert(rows[0].end(), {"closed", "outward", "holes", "size in m"});
+    rows[0].insert(rows[0].end(), {"closed", "outward", "holes", "size in m", "step in m"});
     for (const InspectedMesh& mesh : meshes) {
         std::vector<std::string>& row = rows.emplace_back();
         row = {scene::shown(mesh.name, 40), std::to_string(mesh.objects.size())};
         for (const Count& count : kCounts)
             row.push_back(std::to_string(mesh.report.*count.value));
         row.insert(row.end(), {yes(mesh.report.isClosed()), yes(mesh.outward), yes(mesh.report.hasHoles),
-                               joined(mesh.sizeMetres, " x ")});
+                               joined(mesh.sizeMetres, " x "), metres(mesh.stepMetres)});
     }
     return aligned(rows, terminalColumns());
 }
@@ -202,6 +207,9 @@ std::string coincidingTable(const std::vector<Coinciding>& all) {
     return text;
 }
 
+/// A step is twice the largest error of a rounded position; an origin that holds an edge holds it to 2^-10 (obj/mesh_pieces.h).
+constexpr double kCoarse = 0x1p-9;
+
 /// What is odd about where, and how large, a mesh is.
 std::string oddities(const InspectedMesh& mesh) {
     const std::string name = scene::shown(mesh.name, 40);
@@ -210,9 +218,29 @@ std::string oddities(const InspectedMesh& mesh) {
         text += "scale: " + name + " is " + metres(mesh.largestInWorld) + " m across, " +
                 (mesh.scale == Scale::tiny ? "smaller than a millimetre" : "larger than ten kilometres") +
                 "; was it made in another unit than metres?\n";
-    if (mesh.originOffset != dvec3(0.0))
-        text += "origin: " + name + " lies far from its origin; positions are kept relative to (" +
-                joined(mesh.originOffset, ", ") + "), so no detail is lost\n";
+    const bool isCoarse = mesh.stepMetres > kCoarse * mesh.shortestEdge;
+    std::string origins;
+    for (const auto& piece : mesh.pieces)
+        if (const std::string origin = "(" + joined(piece->originObject, ", ") + ")"; origins.find(origin) == std::string::npos)
+            origins += (origins.empty() ? "" : ", ") + origin;
+    if (mesh.pieces.size() > 1)
+        text += "origins: " + name + " is too wide for floats about one origin to hold its edges; it is kept in " +
+                std::to_string(mesh.pieces.size()) + " pieces, about " + origins + "\n";
+    else if (mesh.pieces.front()->originObject != dvec3(0.0))
+        text += "origin: " + name + " lies far from its origin; positions are kept relative to " + origins +
+                (isCoarse ? "\n" : ", so no detail is lost\n");
+    if (isCoarse)
+        text += "step: the floats of " + name + " are up to " + metres(mesh.stepMetres) + " m apart, and its shortest edges are " +
+                metres(mesh.shortestEdge) + " m long; it hangs together and cannot be kept in pieces: split it where this matters\n";
+    if (const scene::Mesh& first = *mesh.pieces.front(); first.outlierCount > 0) {
+        std::string vertices;
+        for (const scene::MeshOutlier& outlier : first.outliers)
+            vertices += (vertices.empty() ? "" : ", ") + ("v at line " + std::to_string(outlier.line)) + " (number " +
+                        std::to_string(outlier.vertex) + ") lies " + metres(outlier.distance) + " m from where most are";
+        if (first.outlierCount > first.outliers.size())
+            vertices += ", and " + std::to_string(first.outlierCount - first.outliers.size()) + " more";
+        text += "outliers: of " + name + ", " + vertices + "; without them it measures " + joined(mesh.sizeWithoutOutliers, " x ") + " m\n";
+    }
     return text;
 }
 
@@ -272,7 +300,17 @@ Json inspectionJson(const Inspection& inspection) {
         entry["outward"] = mesh.outward;
         entry["holes"] = mesh.report.hasHoles;
         entry["sizeMetres"] = vectorJson(mesh.sizeMetres);
-        entry["originOffset"] = vectorJson(mesh.originOffset);
+        entry["sizeWithoutOutliers"] = vectorJson(mesh.sizeWithoutOutliers);
+        entry["originOffset"] = vectorJson(mesh.pieces.front()->originObject);
+        entry["origins"] = Json::array(); // of its pieces
+        for (const auto& piece : mesh.pieces)
+            entry["origins"].push_back(vectorJson(piece->originObject));
+        entry["stepMetres"] = mesh.stepMetres;
+        entry["shortestEdge"] = mesh.shortestEdge;
+        entry["outlierCount"] = mesh.pieces.front()->outlierCount;
+        entry["outliers"] = Json::array(); // the first few
+        for (const scene::MeshOutlier& outlier : mesh.pieces.front()->outliers)
+            entry["outliers"].push_back({{"vertex", outlier.vertex}, {"line", outlier.line}, {"distance", outlier.distance}});
         entry["largestInWorld"] = mesh.largestInWorld;
         entry["scale"] = kScales[static_cast<std::size_t>(mesh.scale)];
     }
@@ -306,7 +344,7 @@ Json inspectionJson(const Inspection& inspection) {
 }
 
 int inspect(const InspectOptions& options) {
-    const Inspection inspection = inspectFile(options.file, options.allowed);
+    const Inspection inspection = inspectFile(options.file, loadOptions(options.allowed, options.normals));
     print(options.json ? inspectionJson(inspection).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                        : fitting(text(inspection), terminalColumns()));
     return 0;

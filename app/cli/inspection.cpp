@@ -2,15 +2,17 @@
 #include "app/cli/inspection.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <set>
 #include <span>
 #include <unordered_map>
 
-#include "app/cli/common_options.h"
 #include "techniques/foundation/scene/gltf/load_gltf.h"
-#include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/model/object_pieces.h"
 #include "techniques/foundation/scene/model/surface_color.h"
+#include "techniques/foundation/scene/obj/outliers.h"
 #include "techniques/foundation/scene/query/topology/outward_parts.h"
 #include "techniques/registry.h"
 
@@ -20,10 +22,60 @@ namespace {
 
 double largest(const dvec3& size) { return glm::max(size.x, glm::max(size.y, size.z)); }
 
-/// Size of a mesh of its own, or of an object in the world.
-dvec3 sizeOf(const scene::Object& object) {
-    const scene::Bounds bounds = scene::boundsWorld(object);
-    return bounds.isEmpty() ? dvec3(0.0) : bounds.upperWorld - bounds.lowerWorld;
+dvec3 sizeOf(const scene::Bounds& bounds) { return bounds.isEmpty() ? dvec3(0.0) : bounds.upperWorld - bounds.lowerWorld; }
+
+using Pieces = std::vector<std::shared_ptr<const scene::Mesh>>;
+
+/// Which vertices of a mesh are no outliers, and how large a thing they are.
+class CommonVertices {
+public:
+    explicit CommonVertices(const Pieces& pieces) : pieces_(pieces) {
+        if (pieces.front()->outlierCount == 0) return;
+        std::vector<dvec3> all;
+        for (const auto& piece : pieces)
+            for (const vec3& positionMesh : piece->positionsMesh)
+                all.push_back(piece->originObject + dvec3(positionMesh));
+        place_.emplace(all.size(), [&](std::size_t i) { return all[i]; });
+    }
+    [[nodiscard]] scene::Bounds bounds(const dmat4& worldFromObject) const {
+        scene::Bounds bounds;
+        each([&](const dvec3& positionObject, const vec3&) { bounds.include(transformPoint(worldFromObject, positionObject)); });
+        return bounds;
+    }
+    /// A float of 24 bits is followed by the next one 2^-23 of its leading power of two later.
+    [[nodiscard]] double largestStep() const {
+        float largest = 0;
+        each([&](const dvec3&, const vec3& positionMesh) {
+            for (int axis = 0; axis < 3; ++axis)
+                largest = std::max(largest, std::abs(positionMesh[axis]));
+        });
+        return largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - 23) : 0.0;
+    }
+
+private:
+    template <typename Take>
+    void each(const Take& take) const {
+        for (const auto& piece : pieces_)
+            for (const vec3& positionMesh : piece->positionsMesh)
+                if (const dvec3 positionObject = piece->originObject + dvec3(positionMesh); !place_ || !place_->isFar(positionObject))
+                    take(positionObject, positionMesh);
+    }
+    const Pieces& pieces_;
+    std::optional<scene::CommonPlace> place_;
+};
+
+/// Adds what is found of one more piece to what was found of others; `edges` gets the lengths of its edges.
+void addPiece(scene::MeshReport& report, const scene::Mesh& mesh, std::vector<double>& edges) {
+    const scene::MeshTopology topology = scene::buildTopology(mesh);
+    const scene::MeshReport more = scene::reportMesh(mesh, topology);
+    using Count = std::uint64_t scene::MeshReport::*;
+    using Report = scene::MeshReport;
+    for (const Count count : {&Report::triangles, &Report::droppedTriangles, &Report::duplicateTriangles, &Report::vertices,
+                              &Report::weldedVertices, &Report::edges, &Report::boundaryEdges, &Report::multipleEdges,
+                              &Report::inconsistentEdges, &Report::components})
+        report.*count += more.*count;
+    for (const scene::Edge& edge : topology.edges)
+        edges.push_back(glm::length(dvec3(mesh.positionsMesh[edge.a]) - dvec3(mesh.positionsMesh[edge.b])));
 }
 
 Scale scaleOf(double metres) {
@@ -31,38 +83,56 @@ Scale scaleOf(double metres) {
     return metres > kHugeMetres ? Scale::huge : Scale::ordinary;
 }
 
-InspectedMesh inspectMesh(const std::string& name, const std::shared_ptr<const scene::Mesh>& mesh) {
+InspectedMesh inspectMesh(const std::string& name, const Pieces& pieces) {
     InspectedMesh inspected;
     inspected.name = name;
-    inspected.mesh = mesh;
-    inspected.report = scene::reportMesh(*mesh, scene::buildTopology(*mesh));
-    inspected.outward = mesh->outward;
-    scene::Object unmoved;
-    unmoved.mesh = mesh;
-    inspected.sizeMetres = sizeOf(unmoved);
-    inspected.originOffset = mesh->originObject;
+    inspected.pieces = pieces;
+    std::vector<double> edges;
+    for (const auto& piece : pieces)
+        addPiece(inspected.report, *piece, edges);
+    if (!edges.empty()) {
+        const auto hundredth = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 100);
+        std::ranges::nth_element(edges, hundredth);
+        inspected.shortestEdge = *hundredth;
+    }
+    inspected.outward = std::ranges::all_of(pieces, [](const auto& piece) { return piece->outward; });
+    scene::Bounds bounds;
+    for (const auto& piece : pieces) {
+        scene::Object unmoved;
+        unmoved.mesh = piece;
+        bounds.include(scene::boundsWorld(unmoved));
+    }
+    inspected.sizeMetres = sizeOf(bounds);
+    const CommonVertices common(pieces);
+    inspected.sizeWithoutOutliers = pieces.front()->outlierCount > 0 ? sizeOf(common.bounds(dmat4(1.0))) : inspected.sizeMetres;
+    inspected.stepMetres = common.largestStep();
     return inspected;
 }
 
 void addObjects(Inspection& inspection, const scene::Scene& scene) {
     std::unordered_map<const scene::Mesh*, std::size_t> known;
-    for (const scene::Object& object : scene.objects) {
-        if (object.emitterOfLight >= 0) continue; // not the user's, and no technique's concern
+    for (std::size_t o = 0; o < scene.objects.size(); ++o) {
+        const scene::Object& object = scene.objects[o];
+        inspection.triangles += object.emitterOfLight < 0 ? object.mesh->triangles.size() : 0;
+        if (object.emitterOfLight >= 0 || object.isFurtherPiece) continue; // not the user's, and no technique's concern; or counted before
+        Pieces pieces;
+        for (auto [piece, end] = scene::piecesOf(scene, o); piece < end; ++piece)
+            pieces.push_back(scene.objects[piece].mesh);
         const auto [entry, isNew] = known.try_emplace(object.mesh.get(), inspection.meshes.size());
-        if (isNew) inspection.meshes.push_back(inspectMesh(object.name, object.mesh));
+        if (isNew) inspection.meshes.push_back(inspectMesh(object.name, pieces));
         InspectedMesh& mesh = inspection.meshes[entry->second];
         mesh.objects.push_back(object.name);
-        mesh.report.hasHoles |= scene::hasHoles(scene, object);
-        mesh.largestInWorld = glm::max(mesh.largestInWorld, largest(sizeOf(object)));
+        for (auto [piece, end] = scene::piecesOf(scene, o); piece < end; ++piece)
+            mesh.report.hasHoles |= scene::hasHoles(scene, scene.objects[piece]);
+        mesh.largestInWorld = glm::max(mesh.largestInWorld, largest(sizeOf(CommonVertices(pieces).bounds(object.worldFromObject))));
         mesh.scale = scaleOf(mesh.largestInWorld);
-        inspection.triangles += object.mesh->triangles.size();
     }
 }
 
 SceneContent contentOf(const scene::Scene& scene) {
     SceneContent content;
     for (const scene::Object& object : scene.objects) {
-        if (object.emitterOfLight >= 0) continue;
+        if (object.emitterOfLight >= 0 || object.isFurtherPiece) continue;
         ++content.objects;
         if (!object.castsShadow) content.castNoShadow.push_back(object.name);
         if (!object.receivesShadow) content.receiveNoShadow.push_back(object.name);
@@ -84,7 +154,7 @@ std::vector<Remark> remarksOn(const std::vector<InspectedMesh>& meshes) {
         const auto technique = registered.info->make();
         std::unordered_map<std::string, std::size_t> known;
         for (std::size_t i = 0; i < meshes.size(); ++i) {
-            const std::string sentence = technique->remark(meshes[i].report, *meshes[i].mesh);
+            const std::string sentence = technique->remark(meshes[i].report, *meshes[i].pieces.front());
             if (sentence.empty()) continue;
             const auto [entry, isNew] = known.try_emplace(sentence, remarks.size());
             if (isNew) remarks.push_back({std::string(registered.info->id), sentence, {}});
@@ -99,17 +169,21 @@ scene::Scene alone(const std::string& name, scene::ObjFile obj) {
     scene::Scene scene;
     scene.materials = std::move(obj.materials);
     scene.materials.emplace_back(); // of parts whose material no file defines
-    scene::Object object;
-    object.name = name;
     const scene::MaterialsByName known = scene::materialsByName(scene.materials);
-    for (const scene::MeshPart& part : obj.mesh.parts) {
-        const auto found = known.find(part.materialName);
-        const bool isKnown = found != known.end();
-        object.partMaterials.push_back(isKnown ? found->second
-                                               : static_cast<std::uint32_t>(scene.materials.size()) - 1);
-    }
-    object.mesh = scene::sharedMesh(std::move(obj.mesh));
-    scene.objects.push_back(std::move(object));
+    const auto add = [&](scene::Mesh mesh) {
+        scene::Object& object = scene.objects.emplace_back();
+        object.name = name;
+        object.isFurtherPiece = scene.objects.size() > 1;
+        for (const scene::MeshPart& part : mesh.parts) {
+            const auto found = known.find(part.materialName);
+            const bool isKnown = found != known.end();
+            object.partMaterials.push_back(isKnown ? found->second : static_cast<std::uint32_t>(scene.materials.size()) - 1);
+        }
+        object.mesh = scene::sharedMesh(std::move(mesh));
+    };
+    add(std::move(obj.mesh));
+    for (scene::Mesh& piece : obj.furtherPieces)
+        add(std::move(piece));
     return scene;
 }
 
@@ -158,15 +232,14 @@ bool isMeshFile(const std::filesystem::path& path) {
 
 } // namespace
 
-Inspection inspectFile(const std::string& file, const std::vector<std::filesystem::path>& allowed) {
-    const scene::LoadOptions loading = loadOptions(allowed);
+Inspection inspectFile(const std::string& file, const scene::LoadOptions& loading) {
     Inspection inspection;
     inspection.file = file;
     std::vector<scene::Material> materials;
     std::set<std::string> withColors;
     std::size_t lampMaterials = 0;
     if (isMeshFile(file)) { // itself, not staged: floor and light are not its own
-        scene::ObjFile obj = scene::loadObj(file, scene::NormalMode::file, loading);
+        scene::ObjFile obj = scene::loadObj(file, loading.normals.value_or(scene::NormalMode::file), loading);
         inspection.kind = "mesh";
         inspection.name = std::filesystem::path(file).stem().string();
         inspection.notes = std::move(obj.notes);
@@ -178,7 +251,7 @@ Inspection inspectFile(const std::string& file, const std::vector<std::filesyste
         inspection.coinciding = coinciding(unstaged);
         addObjects(inspection, unstaged);
     } else if (scene::isGltfFile(file)) {
-        scene::GltfFile gltf = scene::loadGltf(file, scene::NormalMode::file, loading);
+        scene::GltfFile gltf = scene::loadGltf(file, loading.normals.value_or(scene::NormalMode::file), loading);
         inspection.kind = "gltf";
         inspection.name = std::filesystem::path(file).stem().string();
         inspection.notes = std::move(gltf.notes);

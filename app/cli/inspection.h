@@ -10,6 +10,7 @@
 
 #include "app/cli/coinciding.h"
 #include "techniques/foundation/math/types.h"
+#include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/model/scene.h"
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
@@ -22,12 +23,14 @@ constexpr double kTinyMetres = 1e-3, kHugeMetres = 1e4; ///< largest extent
 struct InspectedMesh {
     std::string name;                 ///< the file's, or of the first object that shows it
     std::vector<std::string> objects; ///< those that show it, by name
-    std::shared_ptr<const scene::Mesh> mesh;
-    scene::MeshReport report;
+    std::vector<std::shared_ptr<const scene::Mesh>> pieces; ///< one, or several, each about an origin of its own (obj/mesh_pieces.h)
+    scene::MeshReport report;      ///< of all pieces
     bool outward = false;          ///< as scene/query/topology/outward_parts.h has it
     dvec3 sizeMetres{0.0};         ///< extent along x, y and z, as the file has it
-    dvec3 originOffset{0.0};       ///< what its coordinates are kept relative to (scene/model/mesh.h)
-    double largestInWorld = 0.0;   ///< largest extent, in metres, of the largest object that shows it
+    dvec3 sizeWithoutOutliers{0.0}; ///< the same without vertices that lie far from most others
+    double stepMetres = 0.0;       ///< largest distance between neighbouring floats, outliers left out
+    double shortestEdge = 0.0;     ///< one edge in a hundred is shorter; in metres
+    double largestInWorld = 0.0;   ///< largest extent without outliers, in metres, of the largest object that shows it
     Scale scale = Scale::ordinary; ///< of that extent
 };
 
@@ -71,8 +74,7 @@ struct Inspection {
     std::vector<Remark> remarks;            ///< in the order of the techniques
 };
 
-/// `file`: an .obj, a .gltf or .glb, a .json or the name of a built-in scene; `allowed`: further folders that a scene may take meshes from.
-/// Throws Error (badInput, overLimit) for what cannot be loaded.
-Inspection inspectFile(const std::string& file, const std::vector<std::filesystem::path>& allowed);
+/// `file`: an .obj, a .gltf or .glb, a .json or the name of a built-in scene. Throws Error (badInput, overLimit) for what cannot be loaded.
+Inspection inspectFile(const std::string& file, const scene::LoadOptions& loading);
 
 } // namespace shadowlab::cli

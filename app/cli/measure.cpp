@@ -35,6 +35,7 @@ struct MeasureOptions {
     context::Backend backend = context::Backend::automatic;
     MotionOptions motion;
     bool json = false;
+    std::optional<scene::NormalMode> normals; ///< of a mesh; none: as it has them
     std::vector<std::filesystem::path> allowed;
 };
 
@@ -50,6 +51,7 @@ void describeMeasure(DescribedOptions& add) {
     describeBackend(add);
     describeMotion(add);
     add.flag("--json", "one JSON object instead of a table");
+    describeNormals(add);
     add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
     add.footer("Times are medians over the frames; errors are those of the first frame; flips are of all frames.\n"
                "Examples:\n"
@@ -72,6 +74,7 @@ MeasureOptions measureOptions(const GivenOptions& given) {
     options.motion = motionOptions(given);
     options.json = given.has("--json");
     options.allowed = given.allowedFolders();
+    options.normals = normalsFrom(given, options.scene);
     return options;
 }
 
@@ -129,7 +132,7 @@ int measure(const MeasureOptions& options) {
         requireVisibility(*slots.back().info);
     }
     lab::applySettings(slots, options.settings);
-    const scene::Snapshot base = loadSeenFrom(options.scene, options.view, options.allowed);
+    const scene::Snapshot base = loadSeenFrom(options.scene, options.view, loadOptions(options.allowed, options.normals));
     const int light = lightToMeasure(*base, options.scene, options.light);
     const film::Motion motion = motionOf(options.motion, *base);
 

@@ -23,12 +23,14 @@ namespace {
 struct PackOptions {
     std::string scene;            ///< a .json, a mesh or the name of a built-in scene
     std::filesystem::path output; ///< the folder to be made
+    std::optional<scene::NormalMode> normals; ///< of a mesh; none: as it has them
     std::vector<std::filesystem::path> allowed;
 };
 
 void describePack(DescribedOptions& add) {
     describeScene(add);
     add.option("-o,--output", "DIR", "the folder to be made; it is not there yet");
+    describeNormals(add);
     add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
     add.footer(
         "Writes DIR/NAME.json, meshes and their material files in DIR/meshes, images in textures. All paths are "
@@ -42,8 +44,9 @@ void describePack(DescribedOptions& add) {
 
 PackOptions packOptions(const GivenOptions& given) {
     const std::string example = "shadowlab pack SCENE -o DIR";
-    PackOptions options{given.required("SCENE", example), given.required("--output", example), {}};
+    PackOptions options{given.required("SCENE", example), given.required("--output", example), {}, {}};
     options.allowed = given.allowedFolders();
+    options.normals = normalsFrom(given, options.scene);
     return options;
 }
 
@@ -62,7 +65,7 @@ std::string digestOfLook(const scene::Scene& scene) {
 }
 
 int pack(const PackOptions& options) {
-    const scene::LoadOptions loading = loadOptions(options.allowed);
+    const scene::LoadOptions loading = loadOptions(options.allowed, options.normals);
     const scene::Snapshot scene = scene::loadScene(options.scene, loading);
     scene::PackedScene packed;
     image::writeFolder(options.output, [&](const std::filesystem::path& folder) {

@@ -39,6 +39,7 @@ struct ProbeOptions {
     std::filesystem::path diagram; ///< empty: none
     std::string figure = "pixel";  ///< what is drawn there (figures/figures.h)
     std::string view; ///< empty: the scene's own camera
+    std::optional<scene::NormalMode> normals; ///< of a mesh; none: as it has them
     std::vector<std::filesystem::path> allowed;
 };
 
@@ -64,6 +65,7 @@ void describeProbe(DescribedOptions& add) {
         "picture");
     add.option("--figure", "NAME",
                "which figure --diagram draws (`list figures`; default pixel, all that the technique has)");
+    describeNormals(add);
     add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
     add.footer("Needs no graphics card.\n"
                "Examples:\n"
@@ -108,6 +110,7 @@ ProbeOptions probeOptions(const GivenOptions& given) {
         refuseUsage("--figure is drawn into a file; write --diagram OUT.svg or OUT.png, too");
     options.figure = figures::findFigure(given.text("--figure", options.figure)).name;
     options.allowed = given.allowedFolders();
+    options.normals = normalsFrom(given, options.scene);
     return options;
 }
 
@@ -138,7 +141,7 @@ int probe(const ProbeOptions& options) {
     slots.push_back(picture::Session::makeSlot(options.technique));
     lab::applySettings(slots, options.settings);
     if (!options.diagram.empty()) image::probeWritable(options.diagram);
-    const scene::Snapshot scene = loadSeenFrom(options.scene, options.view, options.allowed);
+    const scene::Snapshot scene = loadSeenFrom(options.scene, options.view, loadOptions(options.allowed, options.normals));
     int light = scene->lights.empty() ? kNoLight : 0;
     if (!options.light.empty()) light = picture::lightIndex(*scene, options.light);
     View view;

@@ -22,7 +22,7 @@ std::vector<Handle> handles(const scene::Scene& scene, const std::vector<scene::
         handles.push_back({{Selection::Kind::light, static_cast<int>(i)}, positionWorld, light.name});
     }
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        if (scene.objects[i].emitterOfLight >= 0 || bounds[i].isEmpty()) continue;
+        if (scene.objects[i].emitterOfLight >= 0 || scene.objects[i].isFurtherPiece || bounds[i].isEmpty()) continue;
         handles.push_back({{Selection::Kind::object, static_cast<int>(i)},
                            0.5 * (bounds[i].lowerWorld + bounds[i].upperWorld),
                            scene.objects[i].name});

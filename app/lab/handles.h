@@ -22,8 +22,9 @@ struct Handle {
     std::string label;
 };
 
-/// Of all lights, and of all objects but the surfaces of lights. A directional light has no place: its handle is the point
-/// its arrow comes from, seen from the camera's target, as far from there as the eye is.
+/// Of all lights, and of all objects but the surfaces of lights; of an object in pieces, at the first, which has the most triangles. A
+/// directional light has no place: its handle is the point its arrow comes from, seen from the camera's target, as far from there as
+/// the eye is.
 std::vector<Handle> handles(const scene::Scene& scene, const std::vector<scene::Bounds>& bounds,
                             const scene::Camera& camera);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "techniques/foundation/scene/model/object_pieces.h"
 #include "techniques/foundation/trace/ray_triangle.h"
 
 namespace shadowlab::lab {
@@ -57,7 +58,7 @@ std::optional<ObjectHit> objectAt(const scene::Scene& scene, const std::vector<s
         }
     }
     if (!found) return {};
-    return ObjectHit{*found, camera.positionWorld + nearest * directionWorld};
+    return ObjectHit{scene::piecesOf(scene, *found).first, camera.positionWorld + nearest * directionWorld};
 }
 
 bool isBackdrop(const std::vector<scene::Bounds>& bounds, std::size_t object) {

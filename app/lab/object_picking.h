@@ -9,7 +9,7 @@
 namespace shadowlab::lab {
 
 struct ObjectHit {
-    std::size_t object = 0; ///< index into Scene::objects
+    std::size_t object = 0; ///< index into Scene::objects, of an object in pieces that of the first
     dvec3 positionWorld{0.0};
 };
 

@@ -140,6 +140,60 @@ TEST_F(InspectTest, ScaleAndOrigin) {
     EXPECT_DOUBLE_EQ(json["meshes"][0]["largestInWorld"], 1000.0 * static_cast<double>(0.0005f));
 }
 
+TEST_F(InspectTest, StepsPiecesAndOutliers) {
+    const Json home = mesh(kSheet);
+    EXPECT_EQ(home["stepMetres"], std::ldexp(1.0, -22)); // of numbers from 2 on
+    EXPECT_EQ(home["shortestEdge"], 1.0);
+    EXPECT_EQ(home["origins"], Json({{0.0, 0.0, 0.0}}));
+    EXPECT_EQ(home["outlierCount"], 0);
+
+    // A grid of posts in the coordinates of a country, and a triangle left over at zero.
+    std::string text;
+    for (int i = 0; i < 16; ++i)
+        for (int k = 0; k < 4; ++k)
+            text += "v " + std::to_string(500000.0 + 2 * (i % 4) + (k == 1 ? 0.15 : 0)) + " " + (k == 2 ? "1" : "0") + " " +
+                    std::to_string(5400000.0 + 2 * (i / 4) + (k == 3 ? 0.15 : 0)) + "\n";
+    text += "\nv 0 0 0\nv 1 0 0\nv 0 0 1\n";
+    for (int i = 0; i < 16; ++i) {
+        const std::string a = std::to_string(4 * i + 1), b = std::to_string(4 * i + 2), c = std::to_string(4 * i + 3), d = std::to_string(4 * i + 4);
+        text += "f " + a + " " + b + " " + c + "\nf " + a + " " + c + " " + d + "\n";
+    }
+    const Json wide = mesh(text + "f 65 67 66\n");
+    EXPECT_EQ(wide["triangles"], 33);
+    EXPECT_EQ(wide["components"], 17);
+    EXPECT_EQ(wide["origins"].size(), 2u);
+    EXPECT_LT(wide["stepMetres"].get<double>(), 1e-6);
+    EXPECT_NEAR(wide["shortestEdge"].get<double>(), 0.15, 1e-6);
+    EXPECT_EQ(wide["outlierCount"], 3);
+    EXPECT_EQ(wide["outliers"][0]["vertex"], 65);
+    EXPECT_EQ(wide["outliers"][0]["line"], 66);
+    EXPECT_NEAR(wide["outliers"][0]["distance"].get<double>(), 5.4e6, 10);
+    EXPECT_NEAR(wide["sizeWithoutOutliers"][0].get<double>(), 6.15, 1e-5);
+    EXPECT_EQ(wide["scale"], "ordinary");
+    EXPECT_EQ(wide["objects"].size(), 1u);
+    const std::string out = succeed({"inspect", "mesh.obj"}).out;
+    for (const char* part : {"in 2 pieces", "v at line 66 (number 65) lies 5.4e+06 m from where most are", "measures 6.15 x 1 x 6.15 m"})
+        EXPECT_NE(out.find(part), std::string::npos) << part << " in " << out;
+
+    folder.write("scene.json", sceneText(kCamera, kTwoLights, R"("objects": [{"mesh": "mesh.obj", "translate": [-500000, 0, -5400000]}])"));
+    const Json scene = inspected("scene.json");
+    EXPECT_EQ(scene["scene"]["objects"], 1);
+    EXPECT_EQ(scene["triangles"], 33);
+    EXPECT_EQ(scene["meshes"].size(), 1u);
+    EXPECT_EQ(scene["meshes"][0]["objects"].size(), 1u);
+
+    // A strip of quads of 20 cm and 20 km hangs together.
+    std::string strip;
+    for (int x = 0; x <= 20000; ++x) {
+        strip += "v " + std::to_string(x) + " 0 0\nv " + std::to_string(x) + " 0 0.2\n";
+        if (x > 0) strip += "f -4 -3 -1 -2\n";
+    }
+    const Json road = mesh(strip);
+    EXPECT_EQ(road["origins"].size(), 1u);
+    EXPECT_EQ(road["stepMetres"], std::ldexp(1.0, -10)); // 10 km from the middle
+    EXPECT_NE(succeed({"inspect", "mesh.obj"}).out.find("hangs together and cannot be kept in pieces"), std::string::npos);
+}
+
 TEST_F(InspectTest, ASceneWithAllItsParts) {
     folder.write("sheet.obj", std::string(kSheet) + "f 1 2 1\n");
     folder.write("all.json", R"({"camera": {"position": [3, 2, 4], "target": [0, 0, 0]},

@@ -74,6 +74,7 @@ void describeCapture(DescribedOptions& add) {
     add.flag("--steps",
              "all steps of the technique in one file, an animated PNG or an MP4 film, each with its title below");
     add.option("--hold", "SECONDS", "with --steps: how long each stays (default 2)");
+    describeNormals(add);
     add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
     add.footer(
         "Examples:\n"
@@ -151,6 +152,7 @@ CaptureOptions captureOptions(const GivenOptions& given) {
     if (isFilm(options)) checkFilm(options);
     options.time = timeFor(given, options);
     options.allowed = given.allowedFolders();
+    options.normals = normalsFrom(given, options.scene);
     requirePlaceForNumbers(options, options.motion.frames.value_or(1));
     requireDrawable(options);
     return options;

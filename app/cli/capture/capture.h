@@ -14,6 +14,7 @@
 #include "app/picture/figure.h"
 #include "app/picture/stage_ref.h"
 #include "techniques/foundation/math/types.h"
+#include "techniques/foundation/scene/model/shapes.h"
 
 namespace shadowlab::cli {
 
@@ -47,6 +48,7 @@ struct CaptureOptions {
     bool steps = false;    ///< all steps of the technique, one after another, in one file
     bool animate = false;  ///< all frames in one file
     image::FrameTime time; ///< how long each step, or frame, stays
+    std::optional<scene::NormalMode> normals; ///< of a mesh; none: as it has them
     std::vector<std::filesystem::path> allowed;
 };
 

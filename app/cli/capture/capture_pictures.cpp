@@ -78,7 +78,7 @@ public:
 
 private:
     void loadScene() {
-        base_ = loadSeenFrom(options_.scene, options_.view, options_.allowed);
+        base_ = loadSeenFrom(options_.scene, options_.view, loadOptions(options_.allowed, options_.normals));
         image::requireNoInput(numbered(options_.output, 0)); // it may be an image that the scene shows
         if (!options_.light.empty()) defaultLight_ = picture::lightIndex(*base_, options_.light);
     }

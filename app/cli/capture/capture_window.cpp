@@ -70,7 +70,7 @@ void settle(window::Screen& screen) {
 
 int captureWindow(const CaptureOptions& options) {
     image::probeWritable(numbered(options.output, 0));
-    const scene::Snapshot scene = loadSeenFrom(options.scene, options.view, options.allowed);
+    const scene::Snapshot scene = loadSeenFrom(options.scene, options.view, loadOptions(options.allowed, options.normals));
     const film::Motion motion = motionOf(options.motion, *scene);
     requirePlaceForNumbers(options, motion.frames);
     const std::unique_ptr<context::Context> context = context::createContext(options.backend);

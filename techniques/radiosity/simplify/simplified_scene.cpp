@@ -117,7 +117,7 @@ SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces
             changed->revisions.geometry = scene::newRevision();
         }
         answer.trianglesBefore += object.mesh->triangles.size();
-        bounds.include(scene::boundsWorld(object));
+        if (!object.isFurtherPiece) bounds.include(scene::boundsWorld(object)); // others may lie in another country
     }
     answer.trianglesAfter = answer.trianglesBefore;
     answer.cornersOfObject.resize(scene.objects.size());

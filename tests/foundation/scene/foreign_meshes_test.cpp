@@ -129,6 +129,12 @@ TEST(ForeignMeshes, LibrariesAreFoundUnderOtherSpellings) {
                                     "sub/Other\\ One.mtl",
                                     "D:\\x\\sub\\Other One.mtl",
                                     "W\u00dcRFEL.MTL",
+                                    "sub/Other%20One.mtl",
+                                    "sub%5cOther%20One.mtl",
+                                    "file:///C:/models/My%20Models/Scene.mtl",
+                                    "file://localhost/models/sub/Other%20One.mtl",
+                                    "FILE:Scene.mtl",
+                                    "W%C3%BCrfel.mtl",
                                     "sub\\..\\Scene.mtl"}) {
         const ObjFile obj = loaded(named);
         EXPECT_EQ(firstRed(obj), 1.0f) << named;
@@ -136,7 +142,7 @@ TEST(ForeignMeshes, LibrariesAreFoundUnderOtherSpellings) {
         EXPECT_EQ(notesWith(obj, " is read in its place"), 1u) << named;
         EXPECT_EQ(obj.notes.size(), 1u) << named;
     }
-    for (const std::string named : {"Scene2.mtl", "Scen.mtl", "other/Scene.mtl", "C:Scene.mtl"})
+    for (const std::string named : {"Scene2.mtl", "Scen.mtl", "other/Scene.mtl", "C:Scene.mtl", "Scene%2.mtl", "Scene.mtl%00", "file://"})
         EXPECT_EQ(notesWith(loaded(named), "is missing"), 1u) << named;
     EXPECT_EQ(notesWith(loaded("# Scene.mtl"), "no material file defines 'red'"), 1u);
 }

@@ -85,7 +85,8 @@ TEST(ForeignScenes, MeshesAreFoundUnderOtherSpellings) {
         return loadScene(folder.write("s.json", "{" + kCamera + ",\n\"objects\": [" + meshes + "]}").string(), {});
     };
     for (const std::string written : {R"(sub\\Slat.obj)", R"(sub/slat.OBJ)", R"(SUB\\SLAT.OBJ)", R"(\"sub/Slat.obj\")",
-                                      R"(D:\\models\\sub\\Slat.obj)", R"(/models/sub/Slat.obj)"}) {
+                                      R"(D:\\models\\sub\\Slat.obj)", R"(/models/sub/Slat.obj)",
+                                      R"(file:///D:/models/sub/Slat.obj)", R"(file:///models/sub/Slat.obj)", R"(sub%2FSlat.obj)"}) {
         const auto loaded = scene("{\"mesh\": \"" + written + "\"}");
         EXPECT_EQ(loaded->objects.size(), 1u) << written;
         ASSERT_EQ(loaded->notes.size(), 1u) << written;

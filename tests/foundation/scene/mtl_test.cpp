@@ -64,7 +64,7 @@ TEST(Mtl, AMaterialWithoutKdIsTheDefaultGrey) {
 TEST(Mtl, WhatIsIgnoredAndWouldChangeTheLookIsOneNotePerKind) {
     const TempFolder folder;
     const std::string text =
-        "# head\nKd 1 0 0\nKd 1 0 0\nillum 2\nnewmtl a\nKa 1 1 1\nKd xyz 1 1 1\nKs spectral a.rfl\n"
+        "# head\nKd 1 0 0\nKd 1 0 0\nillum 2\nnewmtl a\nKa 1 0.5 1\nKd xyz 1 1 1\nKs spectral a.rfl\n"
         "map_Kd wood.png\nd -halo 0.5\nmap_Kd wood.png\nmap_Kd wood.png\nbump wood.png\n";
     const std::string mtl = folder.write("m.mtl", text).string();
     const ObjFile obj =
@@ -78,6 +78,30 @@ TEST(Mtl, WhatIsIgnoredAndWouldChangeTheLookIsOneNotePerKind) {
                                         mtl + ":13: bump is not supported and ignored",
                                         mtl + ":5: Ka is not supported and ignored; ambient light is reflected as Kd says",
                                         mtl + ":12: material 'a': map_Kd \"wood.png\" is ignored: it cannot be read: No such file or directory"}));
+}
+
+TEST(Mtl, AmbientColoursThatNobodyChoseNeedNoNote) {
+    const TempFolder folder;
+    const auto notes = [&](const std::string& statements) {
+        folder.write("m.mtl", "newmtl a\n" + statements);
+        return loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n"), NormalMode::file, {}).notes;
+    };
+    for (const std::string usual : {"Ka 0.5 0.4 0.3\nKd 0.5 0.4 0.3\n", "Ka 1 1 1\nKd 0.5 0.4 0.3\n", "Ka 0 0 0\n", "Ka 0.2 0.2 0.2\n"})
+        EXPECT_TRUE(notes(usual).empty()) << usual << notes(usual).front();
+    ASSERT_EQ(notes("Ka 1 0.5 0.2\nKd 0.5 0.4 0.3\n").size(), 1u);
+    EXPECT_TRUE(contains(notes("Ka 1 0.5 0.2\n")[0], "Ka is not supported"));
+}
+
+TEST(Mtl, ColouredGlassLetsTheMeanPass) {
+    const TempFolder folder;
+    folder.write("m.mtl", "newmtl a\nillum 7\nTf 0.9 0.6 0.3\nnewmtl b\nillum 7\nTf 0.5 0.7 0.3\n");
+    const ObjFile obj =
+        loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\nusemtl b\nf 3 2 1\n"), NormalMode::file, {});
+    ASSERT_EQ(obj.materials.size(), 2u);
+    EXPECT_NEAR(obj.materials[0].transparency, 0.6, 1e-12);
+    EXPECT_NEAR(obj.materials[1].transparency, 0.5, 1e-12);
+    ASSERT_EQ(obj.notes.size(), 1u);
+    EXPECT_TRUE(contains(obj.notes[0], "m.mtl:1: the colours of Tf are not supported; its mean is used (and 1 more time)")) << obj.notes[0];
 }
 
 TEST(Mtl, FilesAreNamedAsGiven) {

@@ -93,6 +93,30 @@ TEST(UnitNotes, MillimetresAndKilometresAreTold) {
     EXPECT_TRUE(contains(unitNote(0.001), "in kilometres?")) << unitNote(0.001);
 }
 
+TEST(UnitNotes, DrawingsInMillimetresAreToldAtAnySize) {
+    for (const double scale : {10.0, 80.0, 400.0}) { // parts of 2 cm and more, under lamps that would do for them in metres
+        const std::string note = unitNote(scale, 40 * scale * scale * 1e-6);
+        EXPECT_TRUE(contains(note, "in millimetres?")) << scale << ": " << note;
+    }
+    EXPECT_TRUE(contains(unitNote(100), "darker")) << unitNote(100);
+    EXPECT_TRUE(contains(unitNote(0.01, 40), "brighter")) << unitNote(0.01, 40);
+    EXPECT_EQ(unitNote(2, 0.04), "") << "a dark room";
+}
+
+TEST(UnitNotes, WhatShinesBesideTheLightsIsNoEvidence) {
+    const std::string lamp = R"({"type": "point", "position": [0, 4000, 0], "intensity": 40})";
+    const auto scene = [&](const std::string& material) {
+        const TempFolder folder;
+        return loadScene(folder.write("s.json", R"({"camera": {"position": [0, 2000, 6000], "target": [0, 0, 0]}, "lights": [)" + lamp +
+                                                    R"(], "materials": {"panel": )" + material +
+                                                    R"(}, "objects": [{"shape": "box", "size": [2000, 1000, 1000], "material": "panel"}]})")
+                             .string(),
+                         {});
+    };
+    EXPECT_NE(noteOnUnits(*scene("{}")), "");
+    EXPECT_EQ(noteOnUnits(*scene(R"({"emission": [1, 1, 1]})")), "");
+}
+
 TEST(UnitNotes, SizeAloneProvesNothing) {
     EXPECT_EQ(unitNote(1000, 40e6), "") << "a valley with lights that reach across it";
     EXPECT_EQ(unitNote(0.001, 40e-6), "") << "a watch under a lamp of its size";

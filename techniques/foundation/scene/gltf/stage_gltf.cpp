@@ -16,6 +16,14 @@ namespace {
 constexpr float kStageAmbient = 0.09f;   // umbra clearly above black
 constexpr double kStageIrradiance = 3.0; // makes a white surface that faces the light just not clip: 3 * 0.8 / pi = 0.76
 
+std::vector<dvec3> pointsOf(const std::vector<Object>& objects) {
+    std::vector<dvec3> pointsWorld;
+    for (const Object& object : objects)
+        for (const vec3& positionMesh : object.mesh->positionsMesh)
+            pointsWorld.push_back(transformPoint(object.worldFromObject, object.mesh->originObject + dvec3(positionMesh)));
+    return pointsWorld;
+}
+
 /// The file's materials behind those of the stage; the index of the first.
 std::uint32_t addGltfMaterials(Scene& scene, std::vector<Material> materials) {
     scene.materials = stageMaterials();
@@ -100,7 +108,7 @@ std::shared_ptr<const Scene> stagedGltf(GltfFile gltf, const std::filesystem::pa
 
     scene->viewpoints = std::move(gltf.viewpoints);
     const Light key = keyLight(stage);
-    scene->camera = scene->viewpoints.empty() ? stageFraming(stage, scene->objects, key.positionWorld) : scene->viewpoints.front().camera;
+    scene->camera = scene->viewpoints.empty() ? stageFraming(stage, pointsOf(scene->objects), key.positionWorld) : scene->viewpoints.front().camera;
     scene->lights = std::move(gltf.lights);
     if (scene->lights.empty())
         scene->lights = {isBare ? key : lightForCamera(stage, scene->camera)};

@@ -37,9 +37,12 @@ public:
     void read(const JsonValue& value, const std::string& what);
 
 private:
-    struct LoadedMesh {
+    struct LoadedPiece {
         std::shared_ptr<const Mesh> mesh;
         std::vector<std::uint32_t> partMaterials;
+    };
+    struct LoadedMesh {
+        std::vector<LoadedPiece> pieces; ///< mostly one
         std::string shape;          ///< ShapeRequest::id
         std::filesystem::path file; ///< canonical
         std::string node{};         ///< of a glTF file with several: the one that shows it
@@ -49,6 +52,7 @@ private:
     JsonObject checkedKeys(const JsonValue& value, const std::string& what) const;
     std::vector<LoadedMesh> meshesOf(const JsonObject& keys);
     std::vector<LoadedMesh> loadedFile(const JsonObject& keys, NormalMode mode);
+    LoadedPiece loadedPiece(const std::filesystem::path& canonical, const ObjFile& file, const MaterialsByName& known, Mesh mesh);
     std::vector<LoadedMesh> loadedObj(const ReferredFile& file, NormalMode mode, const LoadOptions& options);
     std::vector<LoadedMesh> loadedGltf(const ReferredFile& file, NormalMode mode, const LoadOptions& options);
     void addNotes(std::vector<std::string> notes);
@@ -142,7 +146,7 @@ ObjectReader::LoadedMesh ObjectReader::shape(const JsonObject& keys, NormalMode 
     checkTriangles(keys, request.triangles); // before anything is built
     std::shared_ptr<const Mesh>& mesh = shapes_[{request.id, mode}];
     if (!mesh) mesh = sharedMesh(withNormals(request.make(), mode));
-    return {mesh, {kWhite}, request.id, {}};
+    return {{{mesh, {kWhite}}}, request.id, {}};
 }
 
 void ObjectReader::countShapes(std::span<const JsonValue> values) {
@@ -184,15 +188,24 @@ void ObjectReader::addNotes(std::vector<std::string> more) {
         if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
 }
 
+ObjectReader::LoadedPiece ObjectReader::loadedPiece(const std::filesystem::path& canonical, const ObjFile& file,
+                                                    const MaterialsByName& known, Mesh mesh) {
+    LoadedPiece piece;
+    for (const MeshPart& part : mesh.parts) {
+        const auto found = part.materialName.empty() ? known.end() : known.find(part.materialName);
+        piece.partMaterials.push_back(found == known.end() ? kWhite : materialOfFile(canonical, file.materials[found->second]));
+    }
+    piece.mesh = sharedMesh(std::move(mesh));
+    return piece;
+}
+
 std::vector<ObjectReader::LoadedMesh> ObjectReader::loadedObj(const ReferredFile& file, NormalMode mode, const LoadOptions& options) {
     ObjFile obj = loadObj(file.path, mode, options);
     LoadedMesh loaded;
     const MaterialsByName known = materialsByName(obj.materials);
-    for (const MeshPart& part : obj.mesh.parts) {
-        const auto found = part.materialName.empty() ? known.end() : known.find(part.materialName);
-        loaded.partMaterials.push_back(found == known.end() ? kWhite : materialOfFile(file.canonical, obj.materials[found->second]));
-    }
-    loaded.mesh = sharedMesh(std::move(obj.mesh));
+    loaded.pieces.push_back(loadedPiece(file.canonical, obj, known, std::move(obj.mesh)));
+    for (Mesh& piece : obj.furtherPieces)
+        loaded.pieces.push_back(loadedPiece(file.canonical, obj, known, std::move(piece)));
     loaded.file = file.canonical;
     addNotes(std::move(obj.notes));
     return {loaded};
@@ -204,10 +217,11 @@ std::vector<ObjectReader::LoadedMesh> ObjectReader::loadedGltf(const ReferredFil
     std::vector<LoadedMesh> loaded;
     for (GltfObject& object : gltf.objects) {
         LoadedMesh& mesh = loaded.emplace_back();
+        LoadedPiece& whole = mesh.pieces.emplace_back();
         for (const std::uint32_t material : object.partMaterials)
-            mesh.partMaterials.push_back(
+            whole.partMaterials.push_back(
                 material == GltfObject::kNoMaterial ? kWhite : materialOfFile(file.canonical, gltf.materials[material]));
-        mesh.mesh = std::move(object.mesh);
+        whole.mesh = std::move(object.mesh);
         mesh.file = file.canonical;
         mesh.node = object.name;
         mesh.objectFromNode = object.worldFromNode;
@@ -244,7 +258,7 @@ std::vector<ObjectReader::LoadedMesh> ObjectReader::meshesOf(const JsonObject& k
     NormalMode mode = NormalMode::file; // for a shape: as it is built, smooth or flat
     if (keys.find("normals")) {
         const std::string text = keys.text("normals");
-        const std::vector<std::string> modes{"file", "flat", "smooth"};
+        const std::vector<std::string> modes(kNormalModes.begin(), kNormalModes.end());
         const auto found = std::ranges::find(modes, text);
         if (found == modes.end()) keys.fail("normals", "is " + inQuotes(text) + "; " + suggestion(text, modes));
         mode = static_cast<NormalMode>(found - modes.begin());
@@ -252,12 +266,13 @@ std::vector<ObjectReader::LoadedMesh> ObjectReader::meshesOf(const JsonObject& k
     std::vector<LoadedMesh> meshes = keys.find("mesh") ? loadedFile(keys, mode) : std::vector{shape(keys, mode)};
     if (!keys.find("material")) return meshes;
     const Material& material = reading_.scene.materials[materialIndex(keys)];
-    for (LoadedMesh& loaded : meshes) {
-        std::ranges::fill(loaded.partMaterials, materialIndex(keys));
-        for (const MeshPart& part : loaded.mesh->parts)
-            if (const std::string note = noteOnWholePart(material, part); !note.empty())
-                reading_.scene.notes.push_back(keys.what() + ": " + note);
-    }
+    for (LoadedMesh& loaded : meshes)
+        for (LoadedPiece& piece : loaded.pieces) {
+            std::ranges::fill(piece.partMaterials, materialIndex(keys));
+            for (const MeshPart& part : piece.mesh->parts)
+                if (const std::string note = noteOnWholePart(material, part); !note.empty())
+                    reading_.scene.notes.push_back(keys.what() + ": " + note);
+        }
     return meshes;
 }
 
@@ -314,14 +329,15 @@ void ObjectReader::read(const JsonValue& value, const std::string& what) {
 }
 
 void ObjectReader::add(const JsonObject& keys, LoadedMesh loaded, const std::string& name) {
-    checkTriangles(keys, loaded.mesh->triangles.size());
-    triangles_ += loaded.mesh->triangles.size();
+    std::uint64_t triangles = 0;
+    for (const LoadedPiece& piece : loaded.pieces)
+        triangles += piece.mesh->triangles.size();
+    checkTriangles(keys, triangles);
+    triangles_ += triangles;
 
     Object object;
     object.name = name;
     names_.insert(object.name);
-    object.mesh = std::move(loaded.mesh);
-    object.partMaterials = std::move(loaded.partMaterials);
     object.source = {.shape = loaded.shape,
                      .mesh = loaded.file,
                      .node = loaded.node,
@@ -336,13 +352,20 @@ void ObjectReader::add(const JsonObject& keys, LoadedMesh loaded, const std::str
     object.receivesShadow = keys.boolean("receivesShadow", true);
     object.velocityWorld = keys.vector("velocity", reading_.anyNumber(), dvec3(0));
 
-    const Bounds bounds = boundsWorld(object);
+    const std::size_t first = reading_.scene.objects.size();
+    Bounds bounds;
+    for (LoadedPiece& piece : loaded.pieces) {
+        object.mesh = std::move(piece.mesh);
+        object.partMaterials = std::move(piece.partMaterials);
+        object.isFurtherPiece = reading_.scene.objects.size() > first;
+        bounds.include(boundsWorld(object));
+        reading_.scene.objects.push_back(object);
+    }
     const dvec3 farthest = glm::max(glm::abs(bounds.lowerWorld), glm::abs(bounds.upperWorld));
     const double limit = reading_.options.limits.coordinate;
     if (!(glm::max(farthest.x, glm::max(farthest.y, farthest.z)) <= limit))
         reading_.document.fail(keys.value().offset, keys.what() + " reaches beyond " + numberText(limit) +
                                                  " m from the origin; reduce its scale or translate");
-    reading_.scene.objects.push_back(std::move(object));
 }
 
 } // namespace

@@ -214,7 +214,7 @@ std::string sceneText(const Scene& scene, const Camera& camera, const std::files
         if (json != "{}" || material.name != Material{}.name) materials.push_back(inJson(material.name) + ": " + json);
     }
     for (const Object& object : scene.objects)
-        if (object.emitterOfLight < 0) objects.push_back(objectJson(object, folder));
+        if (object.emitterOfLight < 0 && !object.isFurtherPiece) objects.push_back(objectJson(object, folder));
 
     std::string text = "{\n  \"camera\": " + cameraJson(scene, camera) + ",\n";
     if (!views.empty()) text += block("views", '{', '}', views) + ",\n";

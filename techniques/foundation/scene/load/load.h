@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -39,6 +40,7 @@ struct LoadOptions {
     std::filesystem::path assetsRoot;           ///< built-in scenes are assetsRoot/scenes/NAME.json
     std::vector<std::filesystem::path> allowed; ///< further folders a scene may take meshes from
     Limits limits;
+    std::optional<NormalMode> normals = {}; ///< of a mesh that is staged; none: as the file has them
 };
 
 /// SCENE as the command line takes it: a `.json` or `.obj` path, else the name of a built-in scene.
@@ -55,6 +57,7 @@ std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::
 /// A Wavefront OBJ with its materials. The text is validated line by line before tinyobjloader sees it.
 struct ObjFile {
     Mesh mesh;                       ///< normals as `mode` asks
+    std::vector<Mesh> furtherPieces; ///< of a mesh too wide for its detail: what floats about one origin do not hold (obj/mesh_pieces.h)
     std::vector<Material> materials; ///< of the MTL files, named as MeshPart::materialName
     std::vector<std::string> notes;
 };

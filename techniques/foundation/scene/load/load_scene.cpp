@@ -61,7 +61,7 @@ std::filesystem::path sceneFile(const std::string& nameOrPath, const LoadOptions
 
 std::shared_ptr<const Scene> loadScene(const std::string& nameOrPath, const LoadOptions& options) {
     const std::filesystem::path file = sceneFile(nameOrPath, options);
-    if (isGltfFile(file)) return stagedGltf(loadGltf(file, NormalMode::file, options), file, options);
+    if (isGltfFile(file)) return stagedGltf(loadGltf(file, options.normals.value_or(NormalMode::file), options), file, options);
     return isSceneFile(file) ? loadJson(file, options) : stageObj(file, options);
 }
 

@@ -3,6 +3,7 @@
 #include "techniques/foundation/scene/load/misnamed_files.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include "techniques/foundation/scene/load/message_text.h"
 #include "techniques/foundation/scene/load/text_encoding.h"
@@ -46,6 +47,33 @@ std::vector<std::string> endsOf(std::string_view path) {
     return ends;
 }
 
+std::optional<char> byteOfHex(std::string_view digits) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    if (digits.size() != 2 || end != digits.data() + 2 || error != std::errc() || value == 0) return std::nullopt;
+    return static_cast<char>(value);
+}
+
+/// The path of a web address of a file: without `file:` and the computer's name, and with the characters that %20 and its like stand for.
+std::string withoutUrl(std::string_view path) {
+    constexpr std::string_view kScheme = "file:";
+    if (inSmallLetters(path.substr(0, kScheme.size())) == kScheme) {
+        path.remove_prefix(kScheme.size());
+        for (const std::string_view start : {"//localhost", "//"})
+            if (path.starts_with(start)) {
+                path.remove_prefix(start.size());
+                break;
+            }
+    }
+    std::string result;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const auto byte = path[i] == '%' ? byteOfHex(path.substr(i + 1, 2)) : std::nullopt;
+        result += byte.value_or(path[i]);
+        if (byte) i += 2;
+    }
+    return result;
+}
+
 std::vector<std::string> spellings(const std::string& reference) {
     std::vector<std::string> result;
     const auto add = [&](std::string spelling) {
@@ -57,10 +85,12 @@ std::vector<std::string> spellings(const std::string& reference) {
         const std::string plain(unquoted(text));
         add(plain);
         const std::string path = withSlashes(plain);
-        add(path);
-        if (isAbsolute(path))
-            for (std::string& end : endsOf(path))
-                add(std::move(end));
+        for (const std::string& spelling : {path, withSlashes(withoutUrl(path))}) {
+            add(spelling);
+            if (isAbsolute(spelling))
+                for (std::string& end : endsOf(spelling))
+                    add(std::move(end));
+        }
     }
     return result;
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "techniques/foundation/scene/model/object_pieces.h"
+
 namespace shadowlab::scene {
 
 namespace {
@@ -21,7 +23,8 @@ void move(Object& object, const dvec3& byWorld) {
 Snapshot withObjectMovedBy(const Snapshot& snapshot, std::size_t object, const dvec3& byWorld) {
     if (object >= snapshot->objects.size() || snapshot->objects[object].emitterOfLight >= 0) return snapshot;
     auto moved = std::make_shared<Scene>(*snapshot);
-    move(moved->objects[object], byWorld);
+    for (auto [piece, end] = piecesOf(*moved, object); piece < end; ++piece)
+        move(moved->objects[piece], byWorld);
     moved->revisions.transforms = newRevision();
     return moved;
 }

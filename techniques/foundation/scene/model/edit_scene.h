@@ -5,8 +5,8 @@
 
 namespace shadowlab::scene {
 
-/// One object moved, in metres. Only the revision of the transforms is new. The surface of a light stays with its light:
-/// move that (withLights).
+/// One object moved, in metres, with all its pieces. Only the revision of the transforms is new. The surface of a light stays
+/// with its light: move that (withLights).
 Snapshot withObjectMovedBy(const Snapshot& snapshot, std::size_t object, const dvec3& byWorld);
 
 /// Every object that has a velocity, so many seconds on its way from where it is in `atRest`. The same snapshot when

@@ -17,6 +17,12 @@ struct MeshPart {
     bool hasTexcoords = false; ///< at every corner; else no image can be laid on it
 };
 
+/// A vertex of a mesh file that lies far from nearly all others (obj/outliers.h).
+struct MeshOutlier {
+    std::uint64_t vertex = 0, line = 0; ///< both counted from 1
+    double distance = 0.0;              ///< to where the others are, in the units of the file
+};
+
 /// Immutable once built and shared between the objects that show it.
 ///
 /// Positions are stored in *mesh space*: object space minus `originObject`, rounded to float once, when the mesh is made.
@@ -33,6 +39,8 @@ struct Mesh {
     /// For each triangle its place in the file, where sorting by parts has changed the order; empty: they stand as the file has them.
     std::vector<std::uint32_t> fileOrder;
     std::uint32_t droppedTriangles = 0; ///< degenerate triangles of the source that were left out
+    std::vector<MeshOutlier> outliers;  ///< of the file, the first few
+    std::uint64_t outlierCount = 0;     ///< all of them
     bool outward = false; ///< from outside, every back face is hidden by a front face (outward_parts.h); else not known
 };
 

@@ -81,6 +81,7 @@ struct Object {
     dvec3 velocityWorld{0.0}; ///< metres per unit of shutter time
     ObjectSource source;
     int emitterOfLight = -1; ///< index of the light whose surface this object is; -1: an ordinary object
+    bool isFurtherPiece = false; ///< of the object before it in the scene: one thing in several meshes (object_pieces.h)
 };
 
 /// Mesh space (what the vertex buffers hold) to world space.

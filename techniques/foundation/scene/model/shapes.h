@@ -3,6 +3,9 @@
 // Each has texture coordinates (u, v): u runs to the right of the image, v up. Seen from outside, no image is mirrored.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
+#include <string_view>
+
 #include "techniques/foundation/scene/model/mesh.h"
 
 namespace shadowlab::scene {
@@ -29,6 +32,7 @@ Mesh makeTorus(double majorRadius, double minorRadius, ivec2 segments);
 Mesh makeParallelogram(const dvec3& edgeU, const dvec3& edgeV);
 
 enum class NormalMode { file, flat, smooth };
+constexpr std::array<std::string_view, 3> kNormalModes{"file", "flat", "smooth"}; ///< as scene files and options name them
 
 /// Rebuilds the vertices so that each triangle has its own flat normal, or each position one area-weighted smooth one.
 /// Triangle order and the order of the three corners stay as they are. `file` returns the mesh unchanged.

@@ -34,6 +34,9 @@ constexpr std::array kStatements{
     NumberStatement{"Pr", 1, 0.0, 1.0},  NumberStatement{"Ka", 3, 0.0, 1.0},
     NumberStatement{"illum", 1, 0.0, 10.0}};
 
+/// What exporters write where nobody chose a colour: white, black, or the 0.2 that is the format's own default.
+bool isUsualAmbient(const dvec3& color) { return color == dvec3(1.0) || color == dvec3(0.0) || color == dvec3(0.2); }
+
 class Cleaner {
 public:
     Cleaner(std::string_view text, const std::filesystem::path& file, const Limits& limits)
@@ -120,7 +123,7 @@ private:
     /// What can be judged only when all statements of a material are known.
     void endMaterial() {
         if (!inMaterial_) return;
-        if (ambient_ && *ambient_ != diffuse_.value_or(dvec3(0.8)))
+        if (ambient_ && *ambient_ != diffuse_.value_or(dvec3(0.8)) && !isUsualAmbient(*ambient_))
             ignore("Ka is not supported and ignored; ambient light is reflected as Kd says", materialLine_);
         if (statements_.see == 1.0 && !statements_.opacity)
             ignore("Tr 1 makes material '" + shown(material_) + "' wholly transparent, which ray tracing alone shows; if it is opaque, write d 1",

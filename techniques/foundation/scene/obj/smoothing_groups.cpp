@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/obj/smoothing_groups.h"
 
-#include "techniques/foundation/scene/obj/vertex_welder.h"
+#include "techniques/foundation/scene/obj/mesh_pieces.h"
 
 namespace shadowlab::scene {
 
-GroupNormals::GroupNormals(std::span<const vec3> positionsMesh) : positionsMesh_(positionsMesh) {
-    VertexWelder byPosition(positionsMesh.size());
-    place_.reserve(positionsMesh.size());
-    for (const vec3& position : positionsMesh)
-        place_.push_back(byPosition.index({.position = position}));
-}
+GroupNormals::GroupNormals(std::span<const dvec3> positions) : positions_(positions), place_(samePlaces(positions)) {}
 
 void GroupNormals::add(std::uint32_t group, std::span<const std::uint32_t> corners) {
     if (group == 0) return;
     // Twice the area of the polygon, along its normal: the sum over a fan (M. Newell's formula is the same sum, about the origin).
-    const auto fromFirst = [&](std::size_t i) { return dvec3(positionsMesh_[corners[i]]) - dvec3(positionsMesh_[corners[0]]); };
+    const auto fromFirst = [&](std::size_t i) { return positions_[corners[i]] - positions_[corners[0]]; };
     dvec3 areaVector(0.0);
     for (std::size_t i = 2; i < corners.size(); ++i)
         areaVector += glm::cross(fromFirst(i - 1), fromFirst(i));

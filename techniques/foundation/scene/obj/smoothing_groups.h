@@ -15,8 +15,8 @@ namespace shadowlab::scene {
 /// several times, as it does along the seams of a texture.
 class GroupNormals {
 public:
-    /// Mesh space. The positions must outlive this object.
-    explicit GroupNormals(std::span<const vec3> positionsMesh);
+    /// The positions must outlive this object.
+    explicit GroupNormals(std::span<const dvec3> positions);
 
     /// A face, its corners as indices of positions in their order. Group 0 is no group.
     void add(std::uint32_t group, std::span<const std::uint32_t> corners);
@@ -28,7 +28,7 @@ private:
     [[nodiscard]] std::uint64_t key(std::uint32_t group, std::uint32_t corner) const {
         return std::uint64_t{group} << 32 | place_[corner];
     }
-    std::span<const vec3> positionsMesh_;
+    std::span<const dvec3> positions_;
     std::vector<std::uint32_t> place_; ///< of each position, the first one with the same numbers
     std::unordered_map<std::uint64_t, dvec3> sums_;
 };

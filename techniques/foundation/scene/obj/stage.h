@@ -26,7 +26,7 @@ constexpr std::uint32_t kFloorMaterial = 1, kClay = 2;
 
 Object floorUnder(const Stage& stage);
 Light keyLight(const Stage& stage);
-/// From the front right and above, so near that the model and its shadow by that light fill the picture.
-Camera stageFraming(const Stage& stage, std::span<const Object> objects, const dvec3& lightPositionWorld);
+/// From the front right and above, so near that these points of the model and their shadows by that light fill the picture.
+Camera stageFraming(const Stage& stage, std::span<const dvec3> pointsWorld, const dvec3& lightPositionWorld);
 
 } // namespace shadowlab::scene

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/obj/outliers.h"
 #include "techniques/foundation/scene/query/topology/outward_parts.h"
 
 namespace shadowlab::scene {
@@ -86,7 +89,7 @@ private:
 
 } // namespace
 
-Camera stageFraming(const Stage& stage, std::span<const Object> objects, const dvec3& lightPositionWorld) {
+Camera stageFraming(const Stage& stage, std::span<const dvec3> pointsWorld, const dvec3& lightPositionWorld) {
     Camera camera;
     camera.fovYDegrees = 35.0;                                          // a long lens: little distortion
     const dvec3 backwardWorld = glm::normalize(dvec3(0.35, 0.45, 1.0)); // three-quarter view, 23 degrees down
@@ -107,13 +110,11 @@ Camera stageFraming(const Stage& stage, std::span<const Object> objects, const d
     // square.
     const double half = std::tan(camera.fovYDegrees * glm::pi<double>() / 360.0);
     AxisFit meshUp(0.6 * half), seenAcross(0.8 * half), seenUp(0.9 * half), boxAcross(0.97 * half), boxUp(0.97 * half);
-    for (const Object& object : objects)
-        for (const vec3& positionMesh : object.mesh->positionsMesh) {
-            const dvec3 pointWorld(object.worldFromObject * dvec4(object.mesh->originObject + dvec3(positionMesh), 1.0));
-            meshUp.include(glm::dot(pointWorld, aboveWorld), glm::dot(pointWorld, backwardWorld));
-            include(seenAcross, seenUp, pointWorld);
-            include(seenAcross, seenUp, shadowOf(pointWorld));
-        }
+    for (const dvec3& pointWorld : pointsWorld) {
+        meshUp.include(glm::dot(pointWorld, aboveWorld), glm::dot(pointWorld, backwardWorld));
+        include(seenAcross, seenUp, pointWorld);
+        include(seenAcross, seenUp, shadowOf(pointWorld));
+    }
     for (int i = 0; i < 8; ++i) {
         include(boxAcross, boxUp, stage.meshWorld.corner(i));
         include(boxAcross, boxUp, shadowOf(stage.meshWorld.corner(i)));
@@ -143,54 +144,118 @@ std::vector<Material> stageMaterials() {
 
 namespace {
 
-/// Beside those of the stage, the materials of the file that parts have.
-std::vector<std::uint32_t> addMaterials(Scene& scene, const Mesh& mesh, const std::vector<Material>& fromFile) {
-    scene.materials = stageMaterials();
-    std::vector<std::uint32_t> partMaterials;
-    const MaterialsByName known = materialsByName(fromFile);
-    for (const MeshPart& part : mesh.parts) {
-        partMaterials.push_back(kClay);
-        const auto found = known.find(part.materialName);
-        if (part.materialName.empty() || found == known.end()) continue;
-        const Material& material = fromFile[found->second];
-        partMaterials.back() = static_cast<std::uint32_t>(scene.materials.size());
-        scene.materials.push_back(material);
-        scene.materials.back().ofMesh = true;
-        for (int i = 0; i < 3; ++i) // parts have different names, so only the three above can be in the way
-            if (scene.materials[i].name == material.name) scene.materials.back().name += " (of the mesh)";
+/// Vertices of a piece of the mesh that the stage is made for: all but those that lie far from nearly all others.
+struct FramedVertices {
+    dvec3 originObject{0.0};
+    std::vector<vec3> positionsMesh;
+};
+
+std::vector<FramedVertices> framedVertices(const std::vector<Object>& pieces) {
+    std::vector<FramedVertices> framed;
+    for (const Object& piece : pieces)
+        framed.push_back({piece.mesh->originObject, piece.mesh->positionsMesh});
+    if (pieces.front().mesh->outlierCount == 0) return framed;
+    std::vector<dvec3> all;
+    for (const FramedVertices& vertices : framed)
+        for (const vec3& positionMesh : vertices.positionsMesh)
+            all.push_back(vertices.originObject + dvec3(positionMesh));
+    const CommonPlace place(all.size(), [&](std::size_t i) { return all[i]; });
+    for (FramedVertices& vertices : framed)
+        std::erase_if(vertices.positionsMesh,
+                      [&](const vec3& positionMesh) { return place.isFar(vertices.originObject + dvec3(positionMesh)); });
+    return framed;
+}
+
+Bounds boundsOf(const std::vector<FramedVertices>& framed, const dmat4& worldFromObject) {
+    Bounds bounds;
+    for (const FramedVertices& vertices : framed) {
+        dmat4 worldFromMesh = worldFromObject;
+        worldFromMesh[3] = worldFromObject * dvec4(vertices.originObject, 1.0);
+        for (const vec3& positionMesh : vertices.positionsMesh)
+            bounds.include(transformPoint(worldFromMesh, dvec3(positionMesh)));
     }
-    return partMaterials;
+    return bounds;
+}
+
+std::vector<dvec3> pointsOf(const std::vector<FramedVertices>& framed, const dmat4& worldFromObject) {
+    std::vector<dvec3> pointsWorld;
+    for (const FramedVertices& vertices : framed)
+        for (const vec3& positionMesh : vertices.positionsMesh)
+            pointsWorld.push_back(transformPoint(worldFromObject, vertices.originObject + dvec3(positionMesh)));
+    return pointsWorld;
+}
+
+/// The object, or its pieces, without materials, where it came from.
+std::vector<Object> piecesOf(ObjFile& obj) {
+    std::vector<Object> pieces(1 + obj.furtherPieces.size());
+    pieces.front().mesh = sharedMesh(std::move(obj.mesh));
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        pieces[i].mesh = sharedMesh(std::move(obj.furtherPieces[i - 1]));
+        pieces[i].isFurtherPiece = true;
+    }
+    return pieces;
+}
+
+/// Beside those of the stage, the materials of the file that parts have.
+void addMaterials(Scene& scene, std::vector<Object>& pieces, const std::vector<Material>& fromFile) {
+    scene.materials = stageMaterials();
+    const MaterialsByName known = materialsByName(fromFile);
+    std::map<std::pair<std::string, bool>, std::uint32_t> added; // by the part's name; one material may have two parts in a mesh
+    for (Object& piece : pieces)
+        for (const MeshPart& part : piece.mesh->parts) {
+            piece.partMaterials.push_back(kClay);
+            const auto found = known.find(part.materialName);
+            if (part.materialName.empty() || found == known.end()) continue;
+            const Material& material = fromFile[found->second];
+            const auto [entry, isNew] =
+                added.try_emplace({part.materialName, part.hasTexcoords}, static_cast<std::uint32_t>(scene.materials.size()));
+            piece.partMaterials.back() = entry->second;
+            if (!isNew) continue;
+            scene.materials.push_back(material);
+            scene.materials.back().ofMesh = true;
+            for (int i = 0; i < 3; ++i) // parts have different names, so only the three above can be in the way
+                if (scene.materials[i].name == material.name) scene.materials.back().name += " (of the mesh)";
+        }
 }
 
 } // namespace
 
 std::shared_ptr<const Scene> stageObj(const std::filesystem::path& file, const LoadOptions& options) {
-    ObjFile obj = loadObj(file, NormalMode::file, options);
+    ObjFile obj = loadObj(file, options.normals.value_or(NormalMode::file), options);
     const auto scene = std::make_shared<Scene>();
     scene->name = file.stem().string();
     scene->notes = std::move(obj.notes);
 
-    Object object;
-    object.mesh = sharedMesh(std::move(obj.mesh));
-    const Bounds bounds = boundsWorld(object);
-    object.source.translateWorld = ontoStage(bounds);
-    object.worldFromObject[3] = dvec4(object.source.translateWorld, 1.0);
-    const Stage stage = stageAround(boundsWorld(object), largestExtent(bounds));
-    object.name = scene->name;
-    object.partMaterials = addMaterials(*scene, *object.mesh, obj.materials);
+    std::vector<Object> pieces = piecesOf(obj);
+    const std::vector<FramedVertices> framed = framedVertices(pieces);
+    const Bounds bounds = boundsOf(framed, dmat4(1.0));
+    for (Object& piece : pieces) {
+        piece.source.translateWorld = ontoStage(bounds);
+        piece.worldFromObject[3] = dvec4(piece.source.translateWorld, 1.0);
+    }
+    const dmat4& worldFromObject = pieces.front().worldFromObject;
+    const Stage stage = stageAround(boundsOf(framed, worldFromObject), largestExtent(bounds));
+    addMaterials(*scene, pieces, obj.materials);
     std::error_code ignored; // it was read a moment ago
-    object.source.mesh = std::filesystem::weakly_canonical(file, ignored);
-    // Where the file has materials of its own, "white" is written as clay for the others (write_scene.h).
-    if (std::ranges::all_of(object.partMaterials, [](std::uint32_t material) { return material == kClay; }))
-        object.source.material = "clay";
+    const std::filesystem::path canonical = std::filesystem::weakly_canonical(file, ignored);
+    const bool isClay = std::ranges::all_of(pieces, [](const Object& piece) {
+        return std::ranges::all_of(piece.partMaterials, [](std::uint32_t material) { return material == kClay; });
+    });
+    for (Object& piece : pieces) {
+        piece.name = scene->name;
+        piece.source.mesh = canonical;
+        // Where the file has materials of its own, "white" is written as clay for the others (write_scene.h).
+        if (isClay) piece.source.material = "clay";
+        if (options.normals) piece.source.normals = kNormalModes[static_cast<std::size_t>(*options.normals)];
+    }
     Object floor = floorUnder(stage);
     floor.partMaterials = {kFloorMaterial};
     scene->lights = {keyLight(stage)};
-    scene->camera = stageFraming(stage, {&object, 1}, scene->lights.front().positionWorld);
+    scene->camera = stageFraming(stage, pointsOf(framed, worldFromObject), scene->lights.front().positionWorld);
     scene->ambient = vec3(0.09f);                  // umbra clearly above black
     scene->background = vec3(0.32f, 0.33f, 0.35f); // neutral, darker than the lit floor
     scene->objects.push_back(std::move(floor));
-    scene->objects.push_back(std::move(object));
+    std::ranges::move(pieces, std::back_inserter(scene->objects));
     addEmitterSurfaces(*scene);
     scene->memory = memoryBudget(*scene, options.limits);
     return scene;

@@ -8,6 +8,8 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "techniques/foundation/scene/model/object_pieces.h"
+
 namespace shadowlab::scene {
 
 namespace {
@@ -36,6 +38,14 @@ dvec3 middle(const Bounds& box) { return 0.5 * (box.lowerWorld + box.upperWorld)
 bool isFlat(const Bounds& box) {
     const dvec3 extent = box.upperWorld - box.lowerWorld;
     return std::min({extent.x, extent.y, extent.z}) <= kFlatShare * std::max({extent.x, extent.y, extent.z});
+}
+
+/// A piece of a mesh that lies, or reaches, more than a thousand sizes of the first piece away from it: the rest would be a dot.
+bool isFarPiece(const Scene& scene, const std::vector<Bounds>& boxes, std::size_t object) {
+    constexpr double kFarInSizes = 1000; // as for the vertices of a mesh (obj/outliers.h)
+    const Bounds &first = boxes[piecesOf(scene, object).first], &box = boxes[object];
+    const dvec3 beyond = glm::max(first.lowerWorld - box.lowerWorld, box.upperWorld - first.upperWorld);
+    return std::max({beyond.x, beyond.y, beyond.z}) > kFarInSizes * size(first);
 }
 
 /// True if the segment from a to b enters the box; false if an end lies in it (slab test: Kay and Kajiya, 1986).
@@ -160,7 +170,9 @@ double faultsOf(const Camera& camera, const Subject& subject, const std::vector<
 } // namespace
 
 Bounds thingsBounds(const Scene& scene) {
-    const std::vector<Bounds> boxes = objectBounds(scene);
+    std::vector<Bounds> boxes = objectBounds(scene);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        if (scene.objects[i].isFurtherPiece && isFarPiece(scene, boxes, i)) boxes[i] = {};
     Bounds all, solid;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (scene.objects[i].emitterOfLight >= 0 || boxes[i].isEmpty()) continue;

@@ -14,8 +14,17 @@ namespace shadowlab::scene {
 
 namespace {
 
-constexpr double kSmall = 0.05, kLarge = 1000; ///< metres, of the longest side
+constexpr double kSmall = 0.5, kLarge = 10; ///< metres, of the longest side: of a thing on a table, and of a large room
 constexpr double kFarOff = 1000; ///< times as bright, or as dark, as white: beyond all eight bits of a picture
+
+/// Does anything shine beside the lights? It may be meant to light what they do not reach.
+bool hasEmitters(const Scene& scene) {
+    return std::ranges::any_of(scene.objects, [&](const Object& object) {
+        return object.emitterOfLight < 0 && std::ranges::any_of(object.partMaterials, [&](std::uint32_t material) {
+            return scene.materials[material].emission != vec3(0.0f);
+        });
+    });
+}
 
 struct Unit {
     const char* name;
@@ -62,7 +71,7 @@ std::string noteOnUnits(const Scene& scene) {
     }
     if (!any) return {};
     least *= scene.exposure, most *= scene.exposure;
-    const bool tooSmall = size < kSmall && least > kFarOff, tooLarge = size > kLarge && most < 1 / kFarOff;
+    const bool tooSmall = size < kSmall && least > kFarOff, tooLarge = size > kLarge && most < 1 / kFarOff && !hasEmitters(scene);
     if (!tooSmall && !tooLarge) return {};
     const Unit& unit = unitFor(tooSmall ? least : most);
     return "the scene is " + roughNumber(size) + " m across, and its lights are " + (tooSmall ? "brighter" : "darker") +
