@@ -100,7 +100,8 @@ std::string meshLines(const InspectedMesh& mesh) {
                     "if it is certain that nothing of it is inside out: front faces alone make its shadow volume"});
     rows.push_back({"holes", yes(mesh.report.hasHoles), "if an alpha map cuts holes into it"});
     return aligned(rows, terminalColumns()) + "size: " + joined(mesh.sizeMetres, " x ") + " m\n" +
-           "step: " + metres(mesh.stepMetres) + " m between neighbouring floats at most; shortest edges " + metres(mesh.shortestEdge) + " m\n";
+           "step: " + metres(mesh.stepMetres) + " m between neighbouring floats at most; shortest edges " + metres(mesh.shortestEdge) +
+           " m\n";
 }
 
 /// Several meshes: a row for each.
