@@ -101,7 +101,8 @@ std::string meshLines(const InspectedMesh& mesh) {
                     "if it is certain that nothing of it is inside out: front faces alone make its shadow volume"});
     rows.push_back({"holes", yes(mesh.report.hasHoles), "if an alpha map cuts holes into it"});
     return aligned(rows, terminalColumns()) + "size: " + joined(mesh.sizeMetres, " x ") + " m\n" +
-           "step: " + metres(mesh.stepMetres) + " m between neighbouring floats at most; shortest edges " + metres(mesh.shortestEdge) + " m\n";
+           "step: " + metres(mesh.stepMetres) + " m between neighbouring floats at most; shortest edges " + metres(mesh.shortestEdge) +
+           " m\n";
 }
 
 /// Several meshes: a row for each.
@@ -219,10 +220,11 @@ std::string oddities(const InspectedMesh& mesh) {
                 (mesh.scale == Scale::tiny ? "smaller than a millimetre" : "larger than ten kilometres") +
                 "; was it made in another unit than metres?\n";
     const bool isCoarse = mesh.stepMetres > kCoarse * mesh.shortestEdge;
-    std::string origins;
+    std::vector<std::string> places;
     for (const auto& piece : mesh.pieces)
-        if (const std::string origin = "(" + joined(piece->originObject, ", ") + ")"; origins.find(origin) == std::string::npos)
-            origins += (origins.empty() ? "" : ", ") + origin;
+        if (const std::string place = "(" + joined(piece->originObject, ", ") + ")"; std::ranges::find(places, place) == places.end())
+            places.push_back(place);
+    const std::string origins = named(places);
     if (mesh.pieces.size() > 1)
         text += "origins: " + name + " is too wide for floats about one origin to hold its edges; it is kept in " +
                 std::to_string(mesh.pieces.size()) + " pieces, about " + origins + "\n";
@@ -231,7 +233,9 @@ std::string oddities(const InspectedMesh& mesh) {
                 (isCoarse ? "\n" : ", so no detail is lost\n");
     if (isCoarse)
         text += "step: the floats of " + name + " are up to " + metres(mesh.stepMetres) + " m apart, and its shortest edges are " +
-                metres(mesh.shortestEdge) + " m long; it hangs together and cannot be kept in pieces: split it where this matters\n";
+                metres(mesh.shortestEdge) + " m long; " +
+                (mesh.pieces.size() > 1 ? "it is too scattered for more precision" : "it hangs together and cannot be kept in pieces") +
+                ": split it where this matters\n";
     if (const scene::Mesh& first = *mesh.pieces.front(); first.outlierCount > 0) {
         std::string vertices;
         for (const scene::MeshOutlier& outlier : first.outliers)

@@ -155,8 +155,8 @@ TEST_F(InspectTest, StepsPiecesAndOutliers) {
                     std::to_string(5400000.0 + 2 * (i / 4) + (k == 3 ? 0.15 : 0)) + "\n";
     text += "\nv 0 0 0\nv 1 0 0\nv 0 0 1\n";
     for (int i = 0; i < 16; ++i) {
-        const std::string a = std::to_string(4 * i + 1), b = std::to_string(4 * i + 2), c = std::to_string(4 * i + 3), d = std::to_string(4 * i + 4);
-        text += "f " + a + " " + b + " " + c + "\nf " + a + " " + c + " " + d + "\n";
+        const auto corner = [&](int k) { return " " + std::to_string(4 * i + k); };
+        text += "f" + corner(1) + corner(2) + corner(3) + "\nf" + corner(1) + corner(3) + corner(4) + "\n";
     }
     const Json wide = mesh(text + "f 65 67 66\n");
     EXPECT_EQ(wide["triangles"], 33);

@@ -11,9 +11,10 @@
 namespace shadowlab::testing {
 namespace {
 
-constexpr std::array kTechniques{"unshadowed",       "planar",           "shadow-map",         "shadow-map-exact",   "shadow-map-alias-free",
-                                 "shadow-volume",    "shadow-volume-zpass", "shadow-volume-zfail", "ray-traced",         "radiosity",
-                                 "lecture-planar",   "lecture-shadow-map", "lecture-zpass",      "lecture-zfail",      "lecture-ray-tracing"};
+constexpr std::array kTechniques{"unshadowed",          "planar",              "shadow-map",     "shadow-map-exact",
+                                 "shadow-map-alias-free", "shadow-volume",       "shadow-volume-zpass", "shadow-volume-zfail",
+                                 "ray-traced",          "radiosity",           "lecture-planar", "lecture-shadow-map",
+                                 "lecture-zpass",       "lecture-zfail",       "lecture-ray-tracing"};
 
 /// Nine posts of 15 cm on a ground of 8 m, and the lines that follow.
 std::string posts(double x, double y, double z, const std::string& more = {}) {

@@ -34,6 +34,8 @@ Outcome feed(std::string_view bytes) {
         constexpr std::array kModes{scene::NormalMode::file, scene::NormalMode::flat, scene::NormalMode::smooth};
         scene::ObjFile obj = scene::loadObj(file, kModes[bytes.size() % kModes.size()], options);
         useMesh(scene::sharedMesh(std::move(obj.mesh)));
+        for (scene::Mesh& piece : obj.furtherPieces)
+            useMesh(scene::sharedMesh(std::move(piece)));
         options.limits.triangles += 1000; // of the floor that it is put on
         useScene(scene::stageObj(file, options));
     });

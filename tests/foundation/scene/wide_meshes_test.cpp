@@ -373,7 +373,8 @@ TEST(WideMeshes, OutliersAreNamedAndNotFramed) {
         const Snapshot scene = loadScene(folder.write("stray.obj", mesh.text.str()).string(), {});
         const std::size_t line = kind == Kind::strayApart ? mesh.lines - 3 : mesh.lines - 1;
         ASSERT_FALSE(scene->notes.empty());
-        EXPECT_TRUE(contains(scene->notes.front(), "stray.obj:" + std::to_string(line) + ": vertex 133 lies 5.4e+06 m")) << scene->notes.front();
+        const std::string named = "stray.obj:" + std::to_string(line) + ": vertex 133 lies 5.4e+06 m";
+        EXPECT_TRUE(contains(scene->notes.front(), named)) << scene->notes.front();
         EXPECT_LT(glm::length(scene->camera.positionWorld - home->camera.positionWorld), 1e-3);
         EXPECT_LT(glm::length(scene->light(0).positionWorld - home->light(0).positionWorld), 1e-3);
     }

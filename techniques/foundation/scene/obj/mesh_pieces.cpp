@@ -35,6 +35,8 @@ struct Box {
     dvec3 lower{kInfinity}, upper{-kInfinity};
     void include(const dvec3& position) { lower = glm::min(lower, position), upper = glm::max(upper, position); }
     [[nodiscard]] double size() const { return largest(upper - lower); }
+    /// Below zero inside.
+    [[nodiscard]] double distanceTo(const dvec3& position) const { return largest(glm::max(lower - position, position - upper)); }
 };
 
 /// A connected part. Its vertices stand in a row in `Cutter::members_`.
@@ -42,6 +44,7 @@ struct Component {
     std::size_t firstMember = 0, memberCount = 0, triangles = 0;
     Box box;
     double detail = kInfinity; ///< shortest edge that counts
+    double coarsest = 0;       ///< of the shortest edges at its vertices, the longest
     std::uint32_t piece = kNone;
 
     [[nodiscard]] dvec3 centre() const { return 0.5 * (box.lower + box.upper); }
@@ -63,8 +66,11 @@ public:
 
     MeshPieces cut() {
         findComponents();
-        while (seedPieces() > kMostPieces)
-            reach_ *= 2;
+        // A few thousand parts tell how far origins have to reach at least; a million of them would take seconds for each try.
+        constexpr std::size_t kEnough = 8192;
+        for (const std::size_t step : {std::max<std::size_t>(1, components_.size() / kEnough), std::size_t{1}})
+            while (seedPieces(step) > kMostPieces)
+                reach_ *= 2;
         return pieces();
     }
 
@@ -102,6 +108,7 @@ private:
     }
     [[nodiscard]] bool holds(const dvec3& origin, const Component& component) const {
         if (farthest(component, origin) <= reach_ * component.detail) return true;
+        if (component.box.distanceTo(origin) > reach_ * component.coarsest) return false; // scattered crumbs are millions of such questions
         return std::ranges::all_of(membersOf(component), [&](std::uint32_t v) { return holds(origin, v); });
     }
     [[nodiscard]] std::span<const std::uint32_t> membersOf(const Component& component) const {
@@ -141,6 +148,7 @@ private:
             ++component.memberCount;
             component.box.include(positions_[v]);
             component.detail = std::min(component.detail, details_[v]);
+            component.coarsest = std::max(component.coarsest, details_[v]);
         }
         std::size_t next = 0;
         for (Component& component : components_)
@@ -156,14 +164,14 @@ private:
     }
 
     /// The finest part that is left gets an origin at its centre, and all that this one holds come along. Returns how many that makes;
-    /// one that is too many is enough to know.
-    std::size_t seedPieces() {
+    /// one that is too many is enough to know. Of the parts every one is taken, or one of `step`.
+    std::size_t seedPieces(std::size_t step) {
         origins_.clear();
         std::vector<std::uint32_t> order;
-        for (std::uint32_t i = 0; i < components_.size(); ++i) {
-            components_[i].piece = kNone;
-            if (components_[i].triangles > 0) order.push_back(i);
-        }
+        for (Component& component : components_)
+            component.piece = kNone;
+        for (std::size_t i = 0; i < components_.size(); i += step)
+            if (components_[i].triangles > 0) order.push_back(static_cast<std::uint32_t>(i));
         std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return components_[i].detail; });
         for (const std::uint32_t seed : order) {
             if (components_[seed].piece != kNone) continue;
@@ -238,7 +246,7 @@ private:
     [[nodiscard]] bool reachesOut(const uvec3& triangle, const Box& box) const {
         for (int i = 0; i < 3; ++i) {
             const dvec3& corner = positions_[triangle[i]];
-            if (largest(glm::max(box.lower - corner, corner - box.upper)) > box.size()) return true;
+            if (box.distanceTo(corner) > box.size()) return true;
         }
         return false;
     }

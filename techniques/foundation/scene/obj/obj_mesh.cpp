@@ -71,8 +71,9 @@ std::vector<CornerTriangle> split(const ObjScan& scan, const ObjFaces& faces) {
         for (auto corners : triangles) {
             for (std::uint32_t& corner : corners)
                 corner += first;
-            result.push_back({corners, static_cast<std::uint32_t>(face), faces.materialOf[face],
-                              std::ranges::all_of(corners, [&](std::uint32_t corner) { return hasTexcoord(scan, faces.corners[corner]); })});
+            const bool hasTexcoords =
+                std::ranges::all_of(corners, [&](std::uint32_t corner) { return hasTexcoord(scan, faces.corners[corner]); });
+            result.push_back({corners, static_cast<std::uint32_t>(face), faces.materialOf[face], hasTexcoords});
         }
     }
     return result;

@@ -24,7 +24,8 @@ public:
         if (points.empty()) return;
         for (int axis = 0; axis < 3; ++axis) {
             const auto nth = [&](std::size_t n) {
-                std::ranges::nth_element(points, points.begin() + static_cast<std::ptrdiff_t>(n), {}, [&](const dvec3& p) { return p[axis]; });
+                const auto middle = points.begin() + static_cast<std::ptrdiff_t>(n);
+                std::ranges::nth_element(points, middle, {}, [&](const dvec3& p) { return p[axis]; });
                 return points[n][axis];
             };
             lower_[axis] = nth((points.size() - 1) / 3);
