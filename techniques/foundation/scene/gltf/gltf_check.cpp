@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/gltf/gltf_schema.h"
@@ -30,6 +31,15 @@ struct Place {
         return before + shown(key, 40);
     }
 };
+
+/// An array that indices are into; nullptr where there is none. Lights are listed in an extension, all else at the top.
+const JsonValue* gltfArray(const JsonValue& root, std::string_view array) {
+    const JsonValue* found = &root;
+    if (array == "lights")
+        for (const std::string_view key : {"extensions", "KHR_lights_punctual"})
+            found = found ? gltfMember(*found, key) : nullptr;
+    return found ? gltfMember(*found, array) : nullptr;
+}
 
 /// Walks the file along the schema, and writes down what it finds right.
 class GltfChecker {
@@ -191,6 +201,8 @@ private:
         const double most = std::min(key.most, 9007199254740991.0); // 2^53 - 1: up to here a double counts
         if (value.number != std::floor(value.number) || value.number < key.least || value.number > most)
             fail(value, place, "is " + numberText(value.number) + "; it must be a whole number" + rangeOf(key));
+        if (std::fmod(value.number, key.multipleOf) != 0)
+            fail(value, place, "is " + numberText(value.number) + "; it must be a multiple of " + std::to_string(key.multipleOf));
         const std::string digits = std::to_string(static_cast<std::int64_t>(value.number));
         checkAmong(digits, key.of, value, place);
         text_ += digits;
@@ -230,14 +242,11 @@ private:
         text_ += std::to_string(static_cast<std::int64_t>(value.number));
     }
 
-    /// Lights are listed in an extension, all else at the top.
-    [[nodiscard]] std::size_t sizeOf(std::string_view array) const {
-        const JsonValue* found = &document_.root();
-        if (array == "lights")
-            for (const std::string_view key : {"extensions", "KHR_lights_punctual"})
-                found = found ? gltfMember(*found, key) : nullptr;
-        found = found ? gltfMember(*found, array) : nullptr;
-        return found ? found->items.size() : 0;
+    [[nodiscard]] std::size_t sizeOf(std::string_view array) {
+        const auto [entry, isNew] = sizes_.try_emplace(array, 0); // a file may have as many references as top-level keys
+        if (isNew)
+            if (const JsonValue* found = gltfArray(document_.root(), array)) entry->second = found->items.size();
+        return entry->second;
     }
 
     void writeArray(const JsonValue& value, const GltfKey& key, const Place& place) {
@@ -293,6 +302,7 @@ private:
     const JsonDocument& document_;
     GltfNotes& notes_;
     std::string text_;
+    std::map<std::string_view, std::size_t> sizes_; ///< of arrays that references are into
 };
 
 } // namespace
@@ -308,11 +318,7 @@ std::string gltfElementName(std::string_view array, std::size_t index) { return 
 
 const std::vector<JsonValue>& GltfSource::elements(std::string_view array) const {
     static const std::vector<JsonValue> none;
-    const JsonValue* found = &document_.root();
-    if (array == "lights")
-        for (const std::string_view key : {"extensions", "KHR_lights_punctual"})
-            found = found ? gltfMember(*found, key) : nullptr;
-    found = found ? gltfMember(*found, array) : nullptr;
+    const JsonValue* found = gltfArray(document_.root(), array);
     return found ? found->items : none;
 }
 

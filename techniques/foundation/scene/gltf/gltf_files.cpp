@@ -8,7 +8,8 @@
 
 namespace shadowlab::scene {
 
-GltfFiles::Found GltfFiles::find(const std::string& uri, const std::string& place) {
+GltfFiles::Found GltfFiles::find(const JsonDocument& document, const JsonValue& value) {
+    const std::string& uri = value.string;
     if (hasScheme(uri)) return {std::nullopt, "is an address; only files beside this one are read: save it there"};
     if (!folders_) {
         folders_.emplace(file_, options_);
@@ -18,7 +19,7 @@ GltfFiles::Found GltfFiles::find(const std::string& uri, const std::string& plac
     if (!misnamed_->isThere(reference) && misnamed_->isThere(uri)) reference = uri; // a name that holds %
     if (!misnamed_->isThere(reference))
         if (const auto found = misnamed_->find(reference)) {
-            misnamedNote_.add(place, uri, *found);
+            misnamedNote_.add(document.place(value.offset), uri, *found);
             reference = *found;
         }
     const auto canonical = folders_->resolve(reference);
@@ -53,7 +54,7 @@ GltfBuffers::GltfBuffers(GltfSource& source, const GltfContainer& container, Glt
             if (!decoded) refuse("has a data: URI that is not well-formed base64; export the model again");
             bytes = *owned_.emplace_back(std::make_unique<std::string>(std::move(*decoded)));
         } else {
-            const GltfFiles::Found found = files.find(uri->string, source.document().place(uri->offset));
+            const GltfFiles::Found found = files.find(source.document(), *uri);
             if (!found.canonical) refuse("names " + inQuotes(uri->string) + ", which " + found.fault);
             std::unique_ptr<std::string>& text = files_[*found.canonical];
             if (!text) {

@@ -27,8 +27,8 @@ public:
         std::optional<std::filesystem::path> canonical;
         std::string fault{}; ///< "cannot be read: No such file or directory", say; empty: none
     };
-    /// The file that a URI (no data: URI) names. `place` is named where it was found under another name.
-    Found find(const std::string& uri, const std::string& place);
+    /// The file that a string of the document, a URI and no data: URI, names. A name that is written otherwise is noted.
+    Found find(const JsonDocument& document, const JsonValue& uri);
 
     void appendNotesTo(std::vector<std::string>& notes) const { misnamedNote_.appendTo(notes); }
 

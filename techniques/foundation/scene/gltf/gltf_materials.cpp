@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include <glm/gtc/constants.hpp>
 
+#include "techniques/foundation/scene/gltf/unique_names.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::scene {
@@ -218,15 +218,13 @@ private:
 
 std::vector<GltfMaterial> gltfMaterials(GltfSource& source, const tinygltf::Model& model, GltfTextures& textures) {
     std::vector<GltfMaterial> materials;
-    std::set<std::string> names;
+    UniqueNames names;
     for (std::size_t i = 0; i < model.materials.size(); ++i) {
         materials.push_back(MaterialMaker(source, model, textures, i).make());
-        std::string& name = materials.back().material.name;
-        const std::string own = model.materials[i].name.empty() ? "material " + std::to_string(i) : model.materials[i].name;
-        name = own;
-        for (int number = 2; !names.insert(name).second; ++number)
-            name = own + " " + std::to_string(number);
-        materials.back().material.ofMesh = true;
+        Material& material = materials.back().material;
+        const std::string& own = model.materials[i].name;
+        material.name = names.unique(own.empty() ? "material " + std::to_string(i) : own);
+        material.ofMesh = true;
     }
     return materials;
 }

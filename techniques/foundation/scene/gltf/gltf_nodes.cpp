@@ -2,10 +2,10 @@
 #include "techniques/foundation/scene/gltf/gltf_nodes.h"
 
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/gltf/unique_names.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::scene {
@@ -117,20 +117,6 @@ std::string nameOfNode(const tinygltf::Model& model, std::size_t index) {
     return "node " + std::to_string(index);
 }
 
-class NodeNames {
-public:
-    std::string unique(const std::string& wish) {
-        std::string name = wish;
-        for (int& number = last_.try_emplace(wish, 1).first->second; !taken_.insert(name).second;)
-            name = wish + " " + std::to_string(++number);
-        return name;
-    }
-
-private:
-    std::set<std::string> taken_;
-    std::map<std::string, int> last_;
-};
-
 bool isFiniteMatrix(const dmat4& matrix) {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
@@ -144,7 +130,7 @@ std::vector<GltfNode> gltfNodes(GltfSource& source, const tinygltf::Model& model
     const std::vector<std::size_t> parents = parentsOf(source, model);
     const std::vector<std::size_t> roots = shownRoots(source, model, parents);
     std::vector<GltfNode> nodes;
-    NodeNames names;
+    UniqueNames names;
     std::vector<std::pair<std::size_t, dmat4>> open; // a node and the matrix of its parent, the next one last
     for (std::size_t i = roots.size(); i-- > 0;)
         open.emplace_back(roots[i], dmat4(1.0));

@@ -14,9 +14,17 @@ class GltfNotes {
 public:
     /// `what` is the kind, and reads as "is at PLACE: ". `where` is as in "nodes[3]"; `offset` is that in the JSON text.
     void add(const std::string& what, const std::string& where, std::size_t offset, std::uint64_t times = 1) {
-        const auto [entry, isNew] = index_.try_emplace(what, kinds_.size());
-        if (isNew) kinds_.push_back({what, where, offset, 0});
-        kinds_[entry->second].count += times;
+        constexpr std::size_t kMostKinds = 40; // more than a file has in earnest: unknown keys may each be another
+        const auto found = index_.find(what);
+        const bool isNew = found == index_.end();
+        if (isNew && kinds_.size() > kMostKinds) {
+            kinds_.back().count += times;
+            return;
+        }
+        const bool isLast = isNew && kinds_.size() == kMostKinds;
+        if (isNew) kinds_.push_back({isLast ? "more is left out, of further kinds" : what, where, offset, 0});
+        kinds_[isNew ? kinds_.size() - 1 : found->second].count += times;
+        if (isNew && !isLast) index_.emplace(what, kinds_.size() - 1);
     }
 
     /// What came up first, as part of a sentence; empty: nothing.

@@ -29,8 +29,12 @@ bool GltfPrimitive::hasTriangles(const GltfParts& parts, std::size_t mesh, std::
     if (from.mode == TINYGLTF_MODE_POINTS) return leftOut("points have no surface; they are left out");
     if (from.mode < TINYGLTF_MODE_TRIANGLES) return leftOut("lines have no surface; they are left out");
     if (!from.attributes.contains("POSITION")) return leftOut("a primitive has no POSITION; it is left out");
-    if (from.attributes.contains("COLOR_1")) parts.source.note("meshes", mesh, "a second set of colours (COLOR_1) is left out");
-    return from.material < 0 || !parts.materials[static_cast<std::size_t>(from.material)].isInvisible; // which was noted
+    const GltfMaterial* material = from.material < 0 ? nullptr : &parts.materials[static_cast<std::size_t>(from.material)];
+    const std::string used = "TEXCOORD_" + std::to_string(material ? material->texcoordSet : 0);
+    for (const auto& [name, accessor] : from.attributes) // TEXCOORD_0 is there more often than an image; no word about that
+        if ((name.starts_with("COLOR_") && name != "COLOR_0") || (name.starts_with("TEXCOORD_") && name != used && name != "TEXCOORD_0"))
+            parts.source.note("meshes", mesh, "further colours or texture coordinates (" + shown(name) + ") are left out");
+    return !material || !material->isInvisible; // which was noted
 }
 
 std::vector<GltfPrimitive> GltfPrimitive::ofMesh(const GltfParts& parts, std::size_t mesh) {

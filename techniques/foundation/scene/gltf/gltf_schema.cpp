@@ -15,6 +15,8 @@ constexpr GltfKey keyText(std::string_view name) { return {.name = name, .kind =
 constexpr GltfKey keyShare(std::string_view name, double most = 1, std::size_t count = 0) {
     return {.name = name, .kind = share, .least = 0, .most = most, .count = count};
 }
+/// Two numbers that stay finite when they are multiplied with texture coordinates.
+constexpr GltfKey keyPair(std::string_view name) { return {.name = name, .kind = share, .least = -1e15, .most = 1e15, .count = 2}; }
 constexpr GltfKey keyCount(std::string_view name, double least, bool isRequired) {
     return {.name = name, .kind = integer, .isRequired = isRequired, .least = least, .most = kMost};
 }
@@ -35,7 +37,7 @@ constexpr std::array kBuffer{keyText("uri"), keyText("name"), keyCount("byteLeng
 constexpr std::array kBufferView{keyReference("buffer", "buffers", true),
                                  keyCount("byteOffset", 0, false),
                                  keyCount("byteLength", 1, true),
-                                 GltfKey{.name = "byteStride", .kind = integer, .least = 4, .most = 252},
+                                 GltfKey{.name = "byteStride", .kind = integer, .least = 4, .most = 252, .multipleOf = 4},
                                  keyIgnored("target"),
                                  keyIgnored("name"),
                                  keyExtensions(kNone)};
@@ -84,8 +86,8 @@ constexpr std::array kNode{keyText("name"),
                            keyExtensions(kNodeExtensions)};
 constexpr std::array kScene{GltfKey{.name = "nodes", .kind = references, .of = "nodes"}, keyText("name"), keyExtensions(kNone)};
 
-constexpr std::array kTransform{GltfKey{.name = "offset", .kind = numbers, .count = 2}, GltfKey{.name = "rotation", .kind = number},
-                                GltfKey{.name = "scale", .kind = numbers, .count = 2}, keyCount("texCoord", 0, false)};
+constexpr std::array kTransform{keyPair("offset"), GltfKey{.name = "rotation", .kind = number}, keyPair("scale"),
+                                keyCount("texCoord", 0, false)};
 constexpr std::array kTextureInfoExtensions{keyObject("KHR_texture_transform", kTransform)};
 constexpr std::array kTextureInfo{keyReference("index", "textures", true), keyCount("texCoord", 0, false),
                                   keyExtensions(kTextureInfoExtensions)};

@@ -31,6 +31,7 @@ struct GltfKey {
     std::span<const GltfKey> schema{};
     double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
     std::size_t count = 0;
+    int multipleOf = 1;
     std::string_view note{}; ///< where it is not shown: what to say of it
     bool isPassedOn = true;  ///< to tinygltf
 };

@@ -61,7 +61,7 @@ std::optional<std::filesystem::path> GltfTextures::imagePath(std::size_t image) 
         if (!decoded) return leftOut("its data: URI is not well-formed base64");
         bytes = *decoded_.emplace_back(std::make_unique<std::string>(std::move(*decoded)));
     } else if (uri) {
-        GltfFiles::Found found = files_.find(uri->string, source_.document().place(uri->offset));
+        GltfFiles::Found found = files_.find(source_.document(), *uri);
         if (!found.canonical) return leftOut(inQuotes(uri->string) + " " + found.fault);
         return found.canonical;
     } else
@@ -131,6 +131,12 @@ std::shared_ptr<const AlphaMask> GltfTextures::mask(const GltfTexture& texture, 
 }
 
 std::optional<vec3> GltfTextures::mean(const GltfTexture& texture, bool isColor) {
+    const auto [entry, isNew] = means_.try_emplace({texture.imageIndex, isColor});
+    if (isNew) entry->second = computedMean(texture, isColor);
+    return entry->second;
+}
+
+std::optional<vec3> GltfTextures::computedMean(const GltfTexture& texture, bool isColor) {
     const std::shared_ptr<const ColorImage> image = colors(texture);
     if (!image) return std::nullopt;
     std::array<double, 256> values{};

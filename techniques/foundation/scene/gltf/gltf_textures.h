@@ -1,7 +1,7 @@
 // The images of a glTF file, and how its textures lay them on surfaces.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,6 +39,7 @@ public:
 private:
     template <typename Make>
     auto readOrNote(const GltfTexture& texture, const Make& make) -> decltype(make());
+    std::optional<vec3> computedMean(const GltfTexture& texture, bool isColor);
     std::optional<std::filesystem::path> imagePath(std::size_t image);
     [[nodiscard]] ImagePlacement placementOf(int texture, const tinygltf::ExtensionMap& extensions);
 
@@ -50,6 +51,7 @@ private:
     const LoadOptions& options_;
     ImageFiles images_;
     std::vector<std::optional<std::optional<std::filesystem::path>>> paths_; ///< of images that were asked for
+    std::map<std::pair<std::size_t, bool>, std::optional<vec3>> means_;      ///< many materials may use one image
     std::vector<std::unique_ptr<std::string>> decoded_;                      ///< from data: URIs
 };
 

@@ -39,7 +39,7 @@ std::string packedText(const std::filesystem::path& file, const LoadOptions& opt
         for (const JsonValue& element : elements ? elements->items : std::vector<JsonValue>{}) {
             const JsonValue* uri = gltfMember(element, "uri");
             if (!uri || isDataUri(uri->string)) continue;
-            const auto found = beside.find(uri->string, "").canonical;
+            const auto found = beside.find(document, *uri).canonical;
             if (!found) continue;
             const std::filesystem::path place = files.add(*found, into, found->filename().string(), [&](const std::filesystem::path&) {
                 return readFile(*found, options.limits.fileBytes);

@@ -71,6 +71,7 @@ TEST(GltfErrors, EachNamesItsPlace) {
         {"accessors[0] has elements that reach beyond", set("/accessors/0/count", 9007199254740991)},
         {"accessors[0] has elements of 12 bytes, but they lie only 4 apart", set("/bufferViews/0/byteStride", 4)},
         {"bufferViews[0].byteStride is 3; it must be a whole number from 4 to 252", set("/bufferViews/0/byteStride", 3)},
+        {"bufferViews[0].byteStride is 14; it must be a multiple of 4", set("/bufferViews/0/byteStride", 14)},
         {"bufferViews[0] reaches beyond its buffer", set("/bufferViews/0/byteLength", 9999)},
         {"bufferViews[2] reaches beyond its buffer", set("/bufferViews/2/byteOffset", 9007199254740991)},
         {"bufferViews[0].buffer is 1, but the file has 1 element in \"buffers\"", set("/bufferViews/0/buffer", 1)},
@@ -250,6 +251,24 @@ TEST(GltfErrors, UnknownKeysAndExtensionsAreNoted) {
     EXPECT_TRUE(contains(notes, "nodes[0]: the unknown key \"postion\" is ignored (2 times in the file)")) << notes;
     EXPECT_TRUE(contains(notes, "materials[0]: the extension \"KHR_materials_sheen\" is left out")) << notes;
     EXPECT_FALSE(contains(notes, "extras")) << notes;
+}
+
+TEST(GltfErrors, KindsOfNotesHaveAnEnd) {
+    MadeGltf made = whole();
+    for (int i = 0; i < 100; ++i)
+        made.json["nodes"][0]["key " + std::to_string(i)] = i;
+    const std::vector<std::string> notes = made.parsed().notes;
+    ASSERT_EQ(notes.size(), 41u);
+    EXPECT_TRUE(contains(notes.back(), "more is left out, of further kinds (60 times in the file)")) << notes.back();
+}
+
+TEST(GltfErrors, ManyThingsOfOneNameTakeNoLongerForThat) {
+    MadeGltf made = whole(); // some seconds each, were every number tried for every name
+    made.json["materials"] = Json::array();
+    for (int i = 0; i < 20000; ++i)
+        made.json["materials"].push_back({{"name", "m"}});
+    const GltfFile file = made.parsed();
+    EXPECT_EQ(file.materials.back().name, "m 20000");
 }
 
 TEST(GltfErrors, WholeNumbersMayBeWrittenWithAPoint) {

@@ -207,6 +207,8 @@ TEST(GltfGeometry, WhatHasNoSurfaceIsNotedAndCounted) {
     for (const int mode : {0, 1, 2, 3})
         primitives.push_back({{"attributes", {{"POSITION", 0}}}, {"mode", mode}});
     primitives.push_back({{"attributes", Json::object()}});
+    primitives[0]["attributes"]["COLOR_1"] = 0;
+    primitives[0]["attributes"]["TEXCOORD_1"] = 0;
     primitives[0]["targets"] = {{{"POSITION", 0}}};
     made.json["nodes"][0]["skin"] = 0;
     made.json["skins"] = {{{"joints", {0}}}};
@@ -215,9 +217,11 @@ TEST(GltfGeometry, WhatHasNoSurfaceIsNotedAndCounted) {
     const GltfFile file = made.parsed();
     EXPECT_EQ(file.objects.size(), 1u);
     const std::string notes = joinedNotes(file.notes);
-    for (const char* expected : {"meshes[0]: points have no surface", "lines have no surface; they are left out (3 times in the file)",
-                                 "a primitive has no POSITION", "morph targets are left out", "skins are left out",
-                                 "animations are left out", "nodes[1]: is flattened by its transform"})
+    for (const char* expected :
+         {"meshes[0]: points have no surface", "lines have no surface; they are left out (3 times in the file)",
+          "a primitive has no POSITION", "morph targets are left out", "texture coordinates (TEXCOORD_1) are left out",
+          "further colours or texture coordinates (COLOR_1) are left out", "skins are left out", "animations are left out",
+          "nodes[1]: is flattened by its transform"})
         EXPECT_TRUE(contains(notes, expected)) << expected << " is not among\n" << notes;
     for (const std::string& note : file.notes)
         EXPECT_TRUE(note.starts_with("made.gltf:")) << note;
