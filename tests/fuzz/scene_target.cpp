@@ -13,6 +13,7 @@ namespace {
 void requireSame(const scene::Scene& a, const scene::Scene& b) {
     require(a.camera == b.camera && a.ambient == b.ambient && a.background == b.background && a.exposure == b.exposure,
             "camera and exposure come back");
+    require(a.viewpoints == b.viewpoints, "views come back");
     require(a.lights.size() == b.lights.size() && a.materials.size() == b.materials.size() &&
                 a.objects.size() == b.objects.size(),
             "nothing is lost or added");
