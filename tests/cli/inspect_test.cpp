@@ -106,7 +106,7 @@ TEST_F(InspectTest, AMeshIsNotStaged) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items())
         keys.push_back(key);
-    EXPECT_EQ(keys, (std::vector<std::string>{"emitters", "file", "kind", "materialLooks", "materials", "meshes",
+    EXPECT_EQ(keys, (std::vector<std::string>{"coinciding", "emitters", "file", "kind", "materialLooks", "materials", "meshes",
                                               "name", "notes", "remarks", "scene", "triangles"}));
     EXPECT_EQ(json["file"], "SHEET.OBJ");
     EXPECT_EQ(json["kind"], "mesh");

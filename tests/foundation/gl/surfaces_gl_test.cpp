@@ -86,10 +86,11 @@ TEST_F(SurfacesTest, LeavingOutHiddenBackFacesChangesNothing) {
         scene.camera.targetWorld = {0.2, 0.6, 0};
         const std::vector<std::uint32_t> all = seen(withOutward(scene, false)), frontAlone = seen(scene);
         // At an outline the front and the back face that meet there have the same depth but for its rounding: either may be
-        // the one that is seen. Everywhere else they may not.
+        // the one that is seen. So may the floor at the foot of what stands on it: where bodies are not known to be closed, it is drawn a
+        // layer nearer (scene/query/coincident/seen_sides.h). Everywhere else they may not.
         for (std::size_t i = 0; i < all.size(); ++i)
             if (all[i] != frontAlone[i]) {
-                EXPECT_TRUE(touch(scene, all[i], frontAlone[i])) << all[i] << " became " << frontAlone[i];
+                EXPECT_TRUE(touch(scene, all[i], frontAlone[i]) || all[i] <= 1) << all[i] << " became " << frontAlone[i];
                 ++atOutlines;
             }
         EXPECT_GT(std::ranges::count_if(all, [](std::uint32_t id) { return id > 1 && id != gl::IdBuffer::kNone; }),

@@ -9,8 +9,8 @@ namespace shadowlab::gl {
 
 namespace {
 
-// What the rounding of two planes in float makes, in units of the depth buffer, is four at most; four times that.
-constexpr double kLayerUnits = 16;
+// What the rounding of two planes in float makes, in units of the depth buffer, is four at most; twice that.
+constexpr double kLayerUnits = 8;
 
 // Bits of the depth buffer (IdBuffer, Target), and how much farther apart than their gap two layers are to be for certain.
 constexpr int kDepthBits = 24;
@@ -27,11 +27,11 @@ scene::SeenSides sidesOf(const std::vector<scene::SeenSides>& sides, std::uint32
 } // namespace
 
 LayerStep layerStep(double gap, double nearest, const dmat4& clipFromView) {
-    // The rasteriser moves corners to a grid within pixels, those of two faces by up to half of its step each. Four steps are eight
-    // times half a step.
+    // The rasteriser moves corners to a grid within pixels, those of two faces by up to half of its step each: one step. Twice that is
+    // with the usual 256 steps half of what counts as a tie (docs/conventions.md).
     GLint subpixelBits = 0;
     glGetIntegerv(GL_SUBPIXEL_BITS, &subpixelBits);
-    double slopes = 4.0 / (1 << subpixelBits), units = kLayerUnits;
+    double slopes = 2.0 / (1 << subpixelBits), units = kLayerUnits;
     if (gap > 0) {
         // The depth is clipFromView[3][2] / (2 z) and a constant; a plane that goes away from the eye has gained in depth, after as many
         // pixels as its gap is wide at z, what the gap makes of it.

@@ -158,13 +158,13 @@ void Layers::findWithin(std::uint32_t first, const Object& object) {
     }
 }
 
-/// Could the shadow volume of the lower one begin in front of this side by rounding, and put it in shadow? Of a closed body the volume
-/// begins at faces toward the light; the one that stands on this side is its far end. Equal depths are no danger.
+/// Could the shadow volume of the lower one begin in front of this side by rounding, and put it in shadow? It begins at faces toward the
+/// light, so only if both face the light at once. Equal depths are no danger.
 bool Layers::mayShade(const Side& under, const Side& side) const {
     const Entry &lower = entries_.at(under.triangle), &upper = entries_.at(side.triangle);
     const bool same = lower.object->mesh == upper.object->mesh && lower.object->worldFromObject == upper.object->worldFromObject &&
                       lower.placed.cornersWorld == upper.placed.cornersWorld;
-    return lower.object->castsShadow && !same && !isInner(under);
+    return lower.object->castsShadow && !same && under.isFront == side.isFront;
 }
 
 void Layers::lift(const Side& side) {
