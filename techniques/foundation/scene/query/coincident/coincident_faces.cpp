@@ -90,7 +90,7 @@ void CoincidentFaces::findWithinMeshes(const Scene& scene, const CoincidentFaces
 void CoincidentFaces::findBetweenObjects(const Scene& scene, const CoincidentFaces* before) {
     std::vector<Bounds> boxes = objectBounds(scene);
     for (std::size_t o = 0; o < boxes.size(); ++o) {
-        const dvec3 rounding = TrianglePlacer(scene.objects[o]).mostRounding();
+        const double rounding = TrianglePlacer(scene.objects[o]).rounding();
         boxes[o] = {boxes[o].lowerWorld - rounding, boxes[o].upperWorld + rounding};
     }
     forEachTouchingPair(boxes, [&](std::uint32_t a, std::uint32_t b) {

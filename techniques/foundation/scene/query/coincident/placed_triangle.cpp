@@ -11,8 +11,9 @@ namespace shadowlab::scene {
 namespace {
 
 /// Do all corners of `a` lie in the plane of `b`, give or take the rounding of both?
-bool liesInPlane(const PlacedTriangle& a, const PlacedTriangle& b, const dvec3& roundingOfBoth) {
-    const double slack = glm::dot(glm::abs(b.normal), roundingOfBoth); // both sides times the length of the normal
+bool liesInPlane(const PlacedTriangle& a, const PlacedTriangle& b, double roundingOfBoth) {
+    const dvec3 slope = glm::abs(b.normal);
+    const double slack = (slope.x + slope.y + slope.z) * roundingOfBoth; // both sides times the length of the normal
     return std::ranges::all_of(a.cornersWorld, [&](const dvec3& corner) {
         return std::abs(glm::dot(b.normal, corner - b.cornersWorld[0])) <= slack;
     });
@@ -26,7 +27,7 @@ bool isSeparated(const PlacedTriangle& first, const PlacedTriangle& second, int 
         const dvec2 across(to.y - from.y, from.x - to.x);
         const auto beyond = [&](const dvec3& corner) { return glm::dot(across, flat(corner) - from); };
         const double own = beyond(first.cornersWorld[(i + 2) % 3]);
-        const double slack = glm::dot(glm::abs(across), flat(first.rounding + second.rounding));
+        const double slack = (std::abs(across.x) + std::abs(across.y)) * (first.rounding + second.rounding);
         if (std::ranges::all_of(second.cornersWorld,
                                 [&](const dvec3& c) { return own > 0 ? beyond(c) <= slack : beyond(c) >= -slack; }))
             return true;
@@ -36,41 +37,35 @@ bool isSeparated(const PlacedTriangle& first, const PlacedTriangle& second, int 
 
 } // namespace
 
-TrianglePlacer::TrianglePlacer(const Object& object) : mesh_(*object.mesh), worldFromMesh_(scene::worldFromMesh(object)) {}
+TrianglePlacer::TrianglePlacer(const Object& object) : mesh_(*object.mesh), worldFromMesh_(scene::worldFromMesh(object)) {
+    // Six decimals are what most programs write into a mesh file. Of a mesh smaller than a metre such numbers are worth no more than a
+    // millionth of it: else all of a very small one would be rounding.
+    constexpr double kDecimals = 0.5e-6, kShare = 0x1p-20;
+    vec3 farthestMesh(0.0f);
+    for (const vec3& position : mesh_.positionsMesh)
+        farthestMesh = glm::max(farthestMesh, glm::abs(position));
+    const double largestMesh = std::max({farthestMesh.x, farthestMesh.y, farthestMesh.z});
+    double scale = 0, ofOrigin = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        scale = std::max(scale, glm::length(dvec3(worldFromMesh_[axis])));
+        ofOrigin = std::max(ofOrigin, std::abs(worldFromMesh_[3][axis]));
+    }
+    // One number for all axes: who turned a plane before writing it has left the rounding of the others in an axis that should be nought.
+    doubleRounding_ = kDoubleRounding * (ofOrigin + scale * largestMesh);
+    rounding_ = scale * std::max(kFloatRounding * largestMesh, std::min(kDecimals, kShare * largestMesh)) + doubleRounding_;
+}
 
 PlacedTriangle TrianglePlacer::operator()(std::uint32_t triangle) const {
-    PlacedTriangle placed;
+    PlacedTriangle placed{.rounding = rounding_, .doubleRounding = doubleRounding_};
     for (int i = 0; i < 3; ++i) {
-        const dvec3 positionMesh(mesh_.positionsMesh[mesh_.triangles[triangle][i]]);
-        const dvec3 positionWorld = transformPoint(worldFromMesh_, positionMesh);
-        const Rounding rounding = roundingOf(positionMesh, positionWorld);
-        placed.doubleRounding = glm::max(placed.doubleRounding, rounding.ofDouble);
-        placed.rounding = glm::max(placed.rounding, rounding.all);
+        const dvec3 positionWorld = transformPoint(worldFromMesh_, dvec3(mesh_.positionsMesh[mesh_.triangles[triangle][i]]));
         placed.cornersWorld[static_cast<std::size_t>(i)] = positionWorld;
         placed.box.include(positionWorld);
     }
-    placed.box.lowerWorld -= placed.rounding;
-    placed.box.upperWorld += placed.rounding;
+    placed.box.lowerWorld -= rounding_;
+    placed.box.upperWorld += rounding_;
     placed.normal = glm::cross(placed.cornersWorld[1] - placed.cornersWorld[0], placed.cornersWorld[2] - placed.cornersWorld[0]);
     return placed;
-}
-
-TrianglePlacer::Rounding TrianglePlacer::roundingOf(const dvec3& positionMesh, const dvec3& positionWorld) const {
-    dvec3 magnitudes(0.0);
-    for (int axis = 0; axis < 3; ++axis)
-        magnitudes += glm::abs(dvec3(worldFromMesh_[axis]) * positionMesh[axis]);
-    const dvec3 ofDouble = kDoubleRounding * (glm::abs(dvec3(worldFromMesh_[3])) + glm::abs(positionWorld));
-    return {kFloatRounding * magnitudes + ofDouble, ofDouble};
-}
-
-dvec3 TrianglePlacer::mostRounding() const {
-    vec3 farthest(0.0f);
-    for (const vec3& position : mesh_.positionsMesh)
-        farthest = glm::max(farthest, glm::abs(position));
-    dvec3 magnitudes(0.0);
-    for (int axis = 0; axis < 3; ++axis)
-        magnitudes += glm::abs(dvec3(worldFromMesh_[axis]) * static_cast<double>(farthest[axis]));
-    return roundingOf(dvec3(farthest), magnitudes + glm::abs(dvec3(worldFromMesh_[3]))).all;
 }
 
 vec3 roughNormal(const PlacedTriangle& triangle) {
@@ -78,7 +73,7 @@ vec3 roughNormal(const PlacedTriangle& triangle) {
     for (std::size_t i = 0; i < 3; ++i)
         longest = std::max(longest, glm::distance(triangle.cornersWorld[i], triangle.cornersWorld[(i + 1) % 3]));
     const double area = glm::length(triangle.normal);
-    if (!(glm::length(triangle.rounding) * longest < kTurned * area)) return vec3(0.0f);
+    if (!(2 * triangle.rounding * longest < kTurned * area)) return vec3(0.0f);
     return vec3(triangle.normal / area);
 }
 
@@ -88,7 +83,7 @@ int mainAxis(const dvec3& normal) {
 }
 
 bool coincide(const PlacedTriangle& a, const PlacedTriangle& b) {
-    const dvec3 rounding = a.rounding + b.rounding;
+    const double rounding = a.rounding + b.rounding;
     if (!liesInPlane(a, b, rounding) && !liesInPlane(b, a, rounding)) return false;
     const int axis = mainAxis(a.normal);
     return !isSeparated(a, b, axis) && !isSeparated(b, a, axis);
@@ -102,7 +97,7 @@ double gapBetween(const PlacedTriangle& a, const PlacedTriangle& b) {
         return most / glm::length(plane.normal);
     };
     const double least = std::min(gap(a, b), gap(b, a)); // a small triangle says little of where its plane is far away
-    return least <= glm::length(a.doubleRounding + b.doubleRounding) ? 0 : least;
+    return least <= 2 * (a.doubleRounding + b.doubleRounding) ? 0 : least;
 }
 
 } // namespace shadowlab::scene

@@ -10,8 +10,8 @@ namespace shadowlab::scene {
 
 struct PlacedTriangle {
     std::array<dvec3, 3> cornersWorld;
-    dvec3 rounding{0.0};       ///< of a corner along each axis, metres: by the mesh's floats, and by the matrix in double
-    dvec3 doubleRounding{0.0}; ///< the latter alone
+    double rounding = 0;       ///< of a corner along each axis, metres: of the file's numbers and the mesh's floats, and by the matrix
+    double doubleRounding = 0; ///< by the matrix alone
     Bounds box;                ///< around the corners and their rounding
     dvec3 normal{0.0};         ///< on the side that sees the corners counter-clockwise, with twice the area as length
 };
@@ -21,16 +21,13 @@ class TrianglePlacer {
 public:
     explicit TrianglePlacer(const Object& object);
     [[nodiscard]] PlacedTriangle operator()(std::uint32_t triangle) const;
-    /// No corner is rounded more.
-    [[nodiscard]] dvec3 mostRounding() const;
+    /// Of all its triangles.
+    [[nodiscard]] double rounding() const { return rounding_; }
 
 private:
-    struct Rounding {
-        dvec3 all, ofDouble;
-    };
-    [[nodiscard]] Rounding roundingOf(const dvec3& positionMesh, const dvec3& positionWorld) const;
     const Mesh& mesh_;
     dmat4 worldFromMesh_;
+    double rounding_ = 0, doubleRounding_ = 0;
 };
 
 /// Do they lie in one plane, but for rounding, and share more of it than an edge?

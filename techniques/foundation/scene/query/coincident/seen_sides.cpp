@@ -52,7 +52,7 @@ bool isCovered(const PlacedTriangle& triangle, const std::vector<const PlacedTri
     Polygon rest;
     for (const PlacedTriangle* other : others) {
         const Polygon cover = polygonOf(*other);
-        const double slack = 2 * glm::length(flat(triangle.rounding + other->rounding));
+        const double slack = 3 * (triangle.rounding + other->rounding);
         std::vector<Polygon> pieces;
         for (Polygon piece : left)
             for (std::size_t i = 0; i < 3 && piece.size() > 2; ++i) {
