@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "techniques/foundation/scene/model/surface_color.h"
+#include "techniques/foundation/trace/bvh/bvh_traverse.h"
 
 namespace shadowlab::radiosity {
 
@@ -37,14 +38,14 @@ dvec3 PatchColors::mean(const Patch& patch, const dvec3& originWorld, std::uint3
 }
 
 dvec3 PatchColors::at(const dvec3& centred, const dvec3& normal, std::uint32_t object, double reach, const dvec3& otherwise) const {
-    const dvec3 start = centred + reach * normal;
-    for (trace::SurfacePoint point = tracer_.nextPoint(start, trace::kNoPrimitive, -normal); point; point = tracer_.nextPoint(point, -normal)) {
-        if (glm::distance(start, tracer_.positionCentred(point)) > 2 * reach) break;
-        if (tracer_.world().objects[point.primitive] != object) continue; // something lies on it
-        const std::uint32_t triangle = point.primitive - tracer_.world().firstOfObject[object];
-        return dvec3(scene::diffuseAt(*scene_, scene_->objects[object], triangle, point.barycentric()));
-    }
-    return otherwise;
+    // Of this object alone: something may lie on it, or in its plane.
+    const trace::Ray ray{.originCentred = centred + reach * normal, .directionCentred = -normal, .farthest = 2 * reach};
+    const trace::RayHit hit = tracer_.bvh().closest(
+        ray, [&](std::uint32_t primitive) { return tracer_.world().objects[primitive] == object; },
+        [](std::uint32_t, const dvec3&) { return false; });
+    if (!hit) return otherwise;
+    const std::uint32_t triangle = hit.primitive - tracer_.world().firstOfObject[object];
+    return dvec3(scene::diffuseAt(*scene_, scene_->objects[object], triangle, hit.barycentric));
 }
 
 } // namespace shadowlab::radiosity
