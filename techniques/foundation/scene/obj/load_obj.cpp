@@ -74,7 +74,8 @@ std::string noteOnOutliers(const std::string& name, const Mesh& mesh) {
     const std::uint64_t more = mesh.outlierCount - 1;
     return name + ":" + std::to_string(first.line) + ": vertex " + std::to_string(first.vertex) + " lies " + roughNumber(first.distance) +
            " m from where most others are" + (more > 0 ? ", and so do " + std::to_string(more) + " more" : "") +
-           "; remove the faces that use " + (more > 0 ? "them if they are" : "it if it is") + " left over";
+           "; remove the faces that use " + (more > 0 ? "them if they are" : "it if it is") +
+           " left over, since shadow maps have to reach as far and get coarse";
 }
 
 /// Notes on the mesh: the user should know about these faults, but need not fix them.
