@@ -34,14 +34,14 @@ std::vector<dvec3> rectangle(const dvec2& middle, const dvec2& half, bool facesU
 
 struct Case {
     bool decalIsLater = true, decalFacesUp = true, otherDiagonal = false, isWhole = false;
-    bool inFile = false; ///< the corners are turned before they are rounded to float, so that the planes differ; else the objects are
+    bool inFile = false; ///< the corners are turned, then written with six decimals, so that the planes differ; else the objects are turned
 };
 
 void add(scene::Scene& scene, const dmat4& turn, const std::vector<dvec3>& corners, bool inFile) {
     std::vector<dvec3> placed = corners;
     if (inFile)
         for (dvec3& corner : placed)
-            corner = dvec3(vec3(transformPoint(turn, corner)));
+            corner = glm::round(transformPoint(turn, corner) * 1e6) / 1e6;
     testing::addObject(scene, testing::triangleSoup(placed), inFile ? dmat4(1) : turn);
 }
 
@@ -191,7 +191,7 @@ std::string nameOf(const Case& one) {
 
 TEST_F(CoincidentFacesTest, OneOfThemIsSeenInEveryPixelFromAnywhere) {
     const dmat4 tilt = glm::rotate(glm::rotate(dmat4(1), 0.6, dvec3(1, 0, 0)), 0.4, dvec3(0, 1, 0.3));
-    const std::vector<dmat4> places{dmat4(1), testing::translation({10.3, -7.7, 5.9}) * tilt, testing::translation({1e5, -3e4, 2e5}) * tilt};
+    const std::vector<dmat4> places{dmat4(1), testing::translation({1.3, -7.7, 5.9}) * tilt, testing::translation({1e5, -3e4, 2e5}) * tilt};
     int pictures = 0, withDecal = 0, wrongNaively = 0;
     for (const Case& one : cases())
         for (std::size_t place = 0; place < places.size(); ++place) {

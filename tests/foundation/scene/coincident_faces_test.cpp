@@ -70,6 +70,33 @@ TEST(CoincidentPairsTest, ShareAPlaneAndMoreThanAnEdge) {
     EXPECT_EQ(pairsOf(scene), 2u) << "turned, and far from the origin";
 }
 
+/// Programs that turn a plane before they write it leave noise in coordinates that should be nought, and write six decimals.
+TEST(CoincidentPairsTest, AreFoundThroughTheRoundingOfFiles) {
+    for (const double noise : {1e-30, 1e-18, 1e-16, 1e-9, -1e-7}) {
+        Scene scene = empty();
+        addObject(scene, triangleSoup(square(1, true)));
+        addObject(scene, triangleSoup(square(0.25, true)), translation({0, noise, 0}));
+        EXPECT_EQ(pairsOf(scene), 2u) << noise;
+    }
+    int found = 0, exact = 0;
+    for (int i = 0; i < 50; ++i) {
+        const dmat4 turned = glm::rotate(translation({0.1 * i, 2, -0.3}), 0.3 + 0.11 * i, dvec3(1, 0.2 * i, 3));
+        const auto written = [&](std::vector<dvec3> corners, double unit) {
+            for (dvec3& corner : corners)
+                corner = glm::round(transformPoint(turned, corner) / unit) * unit;
+            return triangleSoup(corners);
+        };
+        for (const double unit : {1e-6, 1e-4}) {
+            Scene scene = empty();
+            addObject(scene, written(square(1, true), unit));
+            addObject(scene, written(square(0.25, true), unit));
+            (unit == 1e-6 ? found : exact) += pairsOf(scene) == 2;
+        }
+    }
+    EXPECT_EQ(found, 50);
+    EXPECT_LT(exact, 25) << "of planes with four decimals no rounding of ours can tell that they were one";
+}
+
 TEST(CoincidentPairsTest, AFineCurvedMeshHasNone) {
     Scene scene = empty();
     addObject(scene, trefoil(0.25, 120, 24));
