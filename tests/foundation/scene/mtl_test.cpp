@@ -108,7 +108,7 @@ TEST(Mtl, WhatMapsDropIsNoted) {
     const TempFolder folder;
     const std::string mtl = folder
                                 .write("m.mtl", "newmtl a\nmap_Kd -boost 2 a.png\nmap_Kd -texres 512 b.png\nmap_kd c.png\nMap_D c.png\n"
-                                                "newmtl b\nmap_Kd a.png\n")
+                                                "newmtl b\nKd 1 1 1\n")
                                 .string();
     const ObjFile obj =
         loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n"), NormalMode::file, {});
@@ -134,7 +134,7 @@ TEST(Mtl, ABackslashBehindABlankContinuesAStatement) {
     for (const std::string end : {"\n", "\r\n", "\r"}) {
         const auto found = notes("map_Kd -s 2 2 2 \\" + end + "  the \\" + end + "leaf.png" + end + "Kd 1 \\" + end + " 0.5 0" + end);
         ASSERT_EQ(found.size(), 1u);
-        EXPECT_TRUE(contains(found[0], "m.mtl:2: material 'a': map_Kd \"the   leaf.png\" is ignored")) << found[0];
+        EXPECT_TRUE(contains(found[0], "m.mtl:2: material 'a': map_Kd \"the  leaf.png\" is ignored")) << found[0];
     }
     const auto windows = notes("map_Kd C:\\tex\\\nKd 1 0.5 0\n");
     ASSERT_EQ(windows.size(), 1u) << "the Kd after a path that ends in a backslash is read";
@@ -273,7 +273,7 @@ TEST(Mtl, ANoteOnAnAlphaMapNamesTheLineThatCounts) {
         loadObj(folder.write("m.obj", "mtllib a.mtl b.mtl\n" + kTriangles + "f 1 2 3\n"), NormalMode::file, {});
     std::size_t named = 0;
     for (const std::string& note : obj.notes)
-        if (contains(note, "map_d")) {
+        if (contains(note, "map_d \"")) { // not the note that a further one replaces it
             EXPECT_TRUE(contains(note, "a.mtl:3: material 'a': map_d \"last.png\" is ignored: ")) << note;
             ++named;
         }
