@@ -88,6 +88,21 @@ TEST_F(PackTest, ABareMeshIsPackedAsItIsStaged) {
     EXPECT_EQ(picture("packed/part.json", {"-t", "ray-traced"}), before);
 }
 
+TEST_F(PackTest, FilesAreFoundUnderTheSpellingsThatLoadingFinds) {
+    folder.write("models/a/other.mtl", "newmtl m\nKd 0.8 0.2 0.1\nmap_d -clamp \\\n on \"..\\Images\\leaf.png\" # a comment\n");
+    folder.write("models/a/thing.obj", std::string("mtllib OTHER.mtl\n") + kTetrahedron + "usemtl m\nf 1/1 3/2 2/3\nf 1/1 2/2 4/3\n");
+    folder.write("models/s.json", R"({"camera": {"position": [3, 2, 4], "target": [0.5, 0.5, 0]}, "ambient": [0.5, 0.5, 0.5],
+  "materials": {"leaf": {"alphaMap": "Images\\LEAF.png"}},
+  "objects": [{"shape": "quad", "size": [6, 6], "material": "leaf"}, {"mesh": "a\\Thing%2Eobj"}]})");
+    const std::string before = picture("models/s.json", {"-t", "ray-traced"});
+    succeed({"pack", "models/s.json", "-o", "packed"});
+    std::filesystem::remove_all(folder.path() / "models");
+    EXPECT_EQ(picture("packed/s.json", {"-t", "ray-traced"}), before);
+    for (const char* file : {"meshes/thing.obj", "meshes/other.mtl", "meshes/textures/leaf.png", "textures/leaf.png"})
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / "packed" / file)) << file;
+    EXPECT_TRUE(scene::contains(fileContent(folder.path() / "packed/meshes/other.mtl"), "map_d -clamp   on textures/leaf.png\n"));
+}
+
 TEST_F(PackTest, ABuiltInSceneNeedsNoAssets) {
     const std::string before = picture("still-life", {"-t", "shadow-map"});
     succeed({"pack", "still-life", "-o", "packed"});

@@ -86,7 +86,7 @@ REFERENCES = [
     drawn_scene("a mesh with blanks, colons and letters in its name", with_mesh('"a b:c;d \u5f71.obj"'), files={"a b:c;d \u5f71.obj": MESH}),
     refused_scene("a mesh that is a link to itself", with_mesh('"l.obj"'), "s.json:2:", "symbolic links", files={"l.obj": link_to("l.obj")}),
     refused_scene("a mesh whose name turns the text round", with_mesh('"a\u202eb\u009b31m.obj"'), "s.json:2:", "a\\xe2\\x80\\xaeb\\xc2\\x9b31m.obj"),
-    refused_scene("an alpha map that is no picture", HOLES, "s.json:2:", "not a readable PNG", files={"a.png": "no picture"}),
+    refused_scene("an alpha map that is no picture", HOLES, "s.json:2:", "neither PNG nor JPEG", files={"a.png": "no picture"}),
     refused_scene("an alpha map that breaks off", HOLES, "s.json:2:", "not a readable PNG", files={"a.png": picture_of(4)[:60]}),
     refused_scene("an alpha map beyond the limit", HOLES, "s.json:2:", "65535", "--limit image-side", status=6, files={"a.png": picture_of(65535)}),
     refused_scene("an alpha map of two thousand million pixels in a row", HOLES, "s.json:2:", "2147483647 x 4", "--limit image-side", status=6, files={"a.png": picture_of(2**31 - 1, 4)}),

@@ -17,7 +17,7 @@ struct PictureFile {
 /// Reads only the header. Throws Error (badInput, overLimit), as pictureFrom does.
 PngSize pictureSize(std::span<const std::uint8_t> bytes, std::string_view name, const PngLimits& limits);
 
-/// `name` is the file named in errors. What is no JPEG is taken for a PNG, and refused as one.
+/// `name` is the file named in errors. A file that starts like neither is refused with the names of both.
 PictureFile pictureFrom(std::span<const std::uint8_t> bytes, std::string_view name, const PngLimits& limits);
 
 } // namespace shadowlab::image

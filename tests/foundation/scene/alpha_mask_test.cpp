@@ -81,16 +81,19 @@ TEST(AlphaMask, OfASceneAreReadOnceAndKept) {
 TEST(AlphaMask, WhatIsNoImageIsAnErrorInASceneAndANoteInAMesh) {
     const TempFolder folder;
     folder.write("text.png", "not a picture");
+    folder.write("drawing.bmp", std::string("BM\x46\0\0\0", 6));
     folder.write("half.png", pngOf({{0, 0, 0, 0}, {0, 0, 0, 255}}, false).substr(0, 60));
     const auto file = folder.write("scene.json", "");
-    for (const std::string name : {"text.png", "half.png"}) {
+    for (const auto& [name, fault] : {std::pair<std::string, std::string>{"text.png", "neither PNG nor JPEG; save it"},
+                                      std::pair<std::string, std::string>{"drawing.bmp", "neither PNG nor JPEG, but seems to be BMP; save it"},
+                                      std::pair<std::string, std::string>{"half.png", "not a readable PNG: "}}) {
         const Error error = errorOf([&] {
             parseSceneJson("{" + kCamera + ",\n\"materials\": {\"leaf\": {\"alphaMap\": \"" + name + "\"}}}", file, {});
         });
         EXPECT_EQ(error.status(), ExitStatus::badInput);
         EXPECT_TRUE(contains(error.what(), "scene.json:2:36: ")) << error.what();
-        EXPECT_TRUE(contains(error.what(), "is \"" + name + "\", not a readable PNG: ")) << error.what();
-        EXPECT_TRUE(contains(error.what(), "; save it again")) << error.what();
+        EXPECT_TRUE(contains(error.what(), "is \"" + name + "\", " + fault)) << error.what();
+        EXPECT_TRUE(contains(error.what(), "; save it ")) << error.what();
 
         folder.write("m.mtl", "newmtl leaf\nmap_d " + name + "\n");
         const ObjFile obj =
@@ -98,7 +101,7 @@ TEST(AlphaMask, WhatIsNoImageIsAnErrorInASceneAndANoteInAMesh) {
         EXPECT_EQ(obj.materials.at(0).alphaMask, nullptr);
         EXPECT_EQ(obj.materials.at(0).alphaMap, "");
         ASSERT_EQ(obj.notes.size(), 1u);
-        EXPECT_TRUE(contains(obj.notes[0], "map_d \"" + name + "\" is ignored: not a readable PNG: ")) << obj.notes[0];
+        EXPECT_TRUE(contains(obj.notes[0], "map_d \"" + name + "\" is ignored: " + fault)) << obj.notes[0];
     }
 }
 

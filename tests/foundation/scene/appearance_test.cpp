@@ -145,7 +145,7 @@ TEST(MtlOptics, DWinsOverTrInEitherOrderAndTrAloneIsSaid) {
     const ObjFile alone = loaded("Tr 1\n");
     EXPECT_EQ(alone.materials[0].transparency, 1.0);
     ASSERT_EQ(alone.notes.size(), 1u);
-    EXPECT_NE(alone.notes[0].find("m.mtl:1: Tr 1 makes material 'm' wholly transparent"), std::string::npos) << alone.notes[0];
+    EXPECT_NE(alone.notes[0].find("m.mtl:2: Tr 1 makes material 'm' wholly transparent"), std::string::npos) << alone.notes[0];
 }
 
 } // namespace

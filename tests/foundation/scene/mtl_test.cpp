@@ -76,7 +76,7 @@ TEST(Mtl, WhatIsIgnoredAndWouldChangeTheLookIsOneNotePerKind) {
                                         mtl + ":8: Ks spectral is not supported and ignored",
                                         mtl + ":10: d -halo is not supported and ignored",
                                         mtl + ":13: bump is not supported and ignored",
-                                        mtl + ":5: Ka is not supported and ignored; ambient light is reflected as Kd says",
+                                        mtl + ":6: Ka is not supported and ignored; ambient light is reflected as Kd says",
                                         mtl + ":12: material 'a': map_Kd \"wood.png\" is ignored: it cannot be read: No such file or directory"}));
 }
 
@@ -101,7 +101,43 @@ TEST(Mtl, ColouredGlassLetsTheMeanPass) {
     EXPECT_NEAR(obj.materials[0].transparency, 0.6, 1e-12);
     EXPECT_NEAR(obj.materials[1].transparency, 0.5, 1e-12);
     ASSERT_EQ(obj.notes.size(), 1u);
-    EXPECT_TRUE(contains(obj.notes[0], "m.mtl:1: the colours of Tf are not supported; its mean is used (and 1 more time)")) << obj.notes[0];
+    EXPECT_TRUE(contains(obj.notes[0], "m.mtl:3: the colours of Tf are not supported; its mean is used (and 1 more time)")) << obj.notes[0];
+}
+
+TEST(Mtl, WhatMapsDropIsNoted) {
+    const TempFolder folder;
+    const std::string mtl = folder
+                                .write("m.mtl", "newmtl a\nmap_Kd -boost 2 a.png\nmap_Kd -texres 512 b.png\nmap_kd c.png\nMap_D c.png\n"
+                                                "newmtl b\nKd 1 1 1\n")
+                                .string();
+    const ObjFile obj =
+        loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n"), NormalMode::file, {});
+    EXPECT_EQ(obj.notes,
+              (std::vector<std::string>{
+                  mtl + ":2: option -boost of map_Kd is not supported and ignored",
+                  mtl + ":3: option -texres of map_Kd is not supported and ignored",
+                  mtl + ":3: a further map_Kd of one material takes the place of the one before it, which is ignored",
+                  mtl + ":4: \"map_kd\" is no statement of MTL and is ignored; map_Kd may be meant",
+                  mtl + ":5: \"Map_D\" is no statement of MTL and is ignored; map_d may be meant",
+                  mtl + ":3: material 'a': map_Kd \"b.png\" is ignored: it cannot be read: No such file or directory"}));
+}
+
+TEST(Mtl, ABackslashBehindABlankContinuesAStatement) {
+    const TempFolder folder;
+    const auto notes = [&](const std::string& text) {
+        folder.write("m.mtl", "newmtl a\n" + text);
+        const ObjFile obj =
+            loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n"), NormalMode::file, {});
+        EXPECT_EQ(obj.materials.at(0).diffuse, vec3(1, 0.5f, 0)) << text;
+        return obj.notes;
+    };
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        const auto found = notes("map_Kd -s 2 2 2 \\" + end + "  the \\" + end + "leaf.png" + end + "Kd 1 \\" + end + " 0.5 0" + end);
+        ASSERT_EQ(found.size(), 1u);
+        EXPECT_TRUE(contains(found[0], "m.mtl:2: material 'a': map_Kd \"the  leaf.png\" is ignored")) << found[0];
+    }
+    const auto windows = notes("map_Kd C:\\tex\\\nKd 1 0.5 0\n");
+    ASSERT_EQ(windows.size(), 1u) << "the Kd after a path that ends in a backslash is read";
 }
 
 TEST(Mtl, FilesAreNamedAsGiven) {
@@ -237,7 +273,7 @@ TEST(Mtl, ANoteOnAnAlphaMapNamesTheLineThatCounts) {
         loadObj(folder.write("m.obj", "mtllib a.mtl b.mtl\n" + kTriangles + "f 1 2 3\n"), NormalMode::file, {});
     std::size_t named = 0;
     for (const std::string& note : obj.notes)
-        if (contains(note, "map_d")) {
+        if (contains(note, "map_d \"")) { // not the note that a further one replaces it
             EXPECT_TRUE(contains(note, "a.mtl:3: material 'a': map_d \"last.png\" is ignored: ")) << note;
             ++named;
         }

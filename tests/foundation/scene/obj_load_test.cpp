@@ -219,5 +219,17 @@ TEST(ObjLoad, TinyMeshesComeWithAWarning) {
     EXPECT_TRUE(contains(obj.notes[0], "scale it up")) << obj.notes[0];
 }
 
+TEST(ObjLoad, GroupsWithoutANumberAndWeightsAreNoted) {
+    const TempFolder folder;
+    const auto file = folder.write("m.obj", "v 0 0 0 1 1 0 0\nv 1 0 0 1 1 0 0\nv 0 1 0\ns foo\nf 1 2 3\ns off\nf 1 2 3\ns -1\nf 1 2 3\n");
+    const ObjFile obj = loadObj(file, NormalMode::file, {});
+    ASSERT_GE(obj.notes.size(), 2u);
+    const std::string name = file.string();
+    EXPECT_EQ((std::vector<std::string>(obj.notes.begin(), obj.notes.begin() + 2)),
+              (std::vector<std::string>{
+                  name + ":1: v with 7 numbers is read as x y z w r g b; w is ignored (and 1 more time)",
+                  name + ":4: s without a group's number (0 to 4294967295, on or off) is read as s off (and 1 more time)"}));
+}
+
 } // namespace
 } // namespace shadowlab::scene

@@ -90,6 +90,7 @@ TEST(UnitNotes, MillimetresAndKilometresAreTold) {
     EXPECT_EQ(unitNote(1), "");
     EXPECT_TRUE(contains(unitNote(1000), "in millimetres?")) << unitNote(1000);
     EXPECT_TRUE(contains(unitNote(1000), "by 0.001")) << unitNote(1000);
+    EXPECT_TRUE(contains(unitNote(1000), "the scene is 2000 m across")) << unitNote(1000); // of the box: the floor is none of the things
     EXPECT_TRUE(contains(unitNote(0.001), "in kilometres?")) << unitNote(0.001);
 }
 

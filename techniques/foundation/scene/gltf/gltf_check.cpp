@@ -76,6 +76,11 @@ private:
         if (!version->string.starts_with("2."))
             document_.fail(version->offset,
                            "is of glTF version " + inQuotes(version->string) + ", and only 2.0 is read; export the model as glTF 2.0");
+        // The version written may be newer than 2.0 and the file readable as 2.0 all the same, unless this says otherwise.
+        const JsonValue* least = gltfMember(*asset, "minVersion");
+        if (least && least->kind == Kind::string && least->string != "2.0" && !least->string.starts_with("1."))
+            document_.fail(least->offset, "needs glTF version " + inQuotes(least->string) +
+                                              " (minVersion), and only 2.0 is read; export the model as glTF 2.0");
     }
 
     void checkRequiredExtensions(const JsonValue& root) const {

@@ -7,6 +7,7 @@
 #include "techniques/foundation/scene/load/message_text.h"
 #include "techniques/foundation/scene/obj/stage.h"
 #include "techniques/foundation/scene/query/hidden_lights.h"
+#include "techniques/foundation/scene/query/rough_number.h"
 #include "techniques/foundation/scene/query/unit_notes.h"
 
 namespace shadowlab::scene {
@@ -70,8 +71,8 @@ void setExposure(Scene& scene, const Stage& stage, const std::filesystem::path& 
     if (!(irradiance > 0) || (irradiance >= kDarkest && irradiance <= kBrightest)) return;
     constexpr double kLargest = 65504; // of half floats, in which pictures are before exposure
     scene.exposure = static_cast<float>(std::clamp(kStageIrradiance / irradiance, 1 / kLargest, kLargest));
-    scene.notes.push_back(shownPath(file) + ": its lights bring " + numberText(std::round(100 * irradiance) / 100) +
-                          " lux to its middle; pictures are exposed by " + numberText(static_cast<double>(scene.exposure)) + " for that");
+    scene.notes.push_back(shownPath(file) + ": its lights bring " + roughNumber(irradiance) +
+                          " lux to its middle; pictures are exposed by " + roughNumber(static_cast<double>(scene.exposure)) + " for that");
 }
 
 } // namespace

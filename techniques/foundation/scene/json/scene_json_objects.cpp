@@ -19,9 +19,6 @@ namespace {
 
 constexpr std::uint32_t kWhite = 0; ///< index of the default material
 
-/// Of a path with backslashes, what stands behind the last: the file's name, also where it was found in spite of them.
-std::string lastPart(const std::string& path) { return path.substr(path.rfind('\\') + 1); }
-
 class ObjectReader {
 public:
     explicit ObjectReader(const SceneReading& reading) : reading_(reading), limits_(reading.options.limits) {
@@ -311,7 +308,7 @@ void ObjectReader::read(const JsonValue& value, const std::string& what) {
     const JsonObject keys = checkedKeys(value, what);
     std::vector<LoadedMesh> meshes = meshesOf(keys);
     const std::string kind =
-        keys.find("shape") ? keys.text("shape") : std::filesystem::path(lastPart(keys.text("mesh"))).stem().string();
+        keys.find("shape") ? keys.text("shape") : std::filesystem::path(reading_.misnamed.asFound(keys.text("mesh"))).stem().string();
     if (meshes.size() == 1) {
         const std::string name = keys.find("name") ? keys.text("name") : uniqueName(keys.find("node") ? meshes.front().node : kind);
         if (!keys.find("node")) meshes.front().node.clear();

@@ -139,6 +139,10 @@ std::optional<std::string> MisnamedFiles::find(const std::string& reference, con
     return std::nullopt;
 }
 
+std::string MisnamedFiles::asFound(const std::string& reference) {
+    return isThere(reference) ? reference : find(reference).value_or(reference);
+}
+
 std::optional<std::string> MisnamedFiles::inAnyCase(const std::string& reference, const std::string& inFolder) {
     if (std::filesystem::path(reference).is_absolute()) return std::nullopt; // tried as written, and by its ends
     std::filesystem::path found(inFolder);

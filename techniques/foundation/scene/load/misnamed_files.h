@@ -32,6 +32,9 @@ public:
     /// `inFolder` is the folder that the name is relative to, itself relative to that of the referring file.
     [[nodiscard]] std::optional<std::string> find(const std::string& reference, const std::string& inFolder = {});
 
+    /// The reference as it is written, or what find() makes of it where there is nothing of that name and something alike.
+    [[nodiscard]] std::string asFound(const std::string& reference);
+
     /// Of the last find() that found none: ` ("A.png" and "a.PNG" differ from it in case alone)`, where there were several.
     [[nodiscard]] std::string severalAlike() const;
 

@@ -97,7 +97,6 @@ private:
             repeatedLine_ = lines_.line();
         }
         inMaterial_ = true;
-        materialLine_ = lines_.line();
         statements_ = {};
         diffuse_ = ambient_ = {};
         material_ = name;
@@ -114,9 +113,12 @@ private:
             if (const auto unusual = unusualCharacter(keyword))
                 lines_.fail(isNone + ": it holds " + unusual->name + "; " + unusual->remedy);
         if (inSmallLetters(keyword) == "newmtl") lines_.fail(isNone + "; write newmtl in small letters");
+        const auto isLike = [&](std::string_view known) { return inSmallLetters(keyword) == inSmallLetters(known); };
+        const auto mayMean = [&](std::string_view known) { ignore(isNone + " and is ignored; " + std::string(known) + " may be meant"); };
         for (const NumberStatement& statement : kStatements)
-            if (inSmallLetters(keyword) == inSmallLetters(statement.keyword))
-                return ignore(isNone + " and is ignored; " + std::string(statement.keyword) + " may be meant");
+            if (isLike(statement.keyword)) return mayMean(statement.keyword);
+        for (const std::string_view map : {"map_Kd", "map_d"})
+            if (isLike(map)) return mayMean(map);
         ignore(shown(keyword, 40) + " is not supported and ignored");
     }
 
@@ -124,35 +126,39 @@ private:
     void endMaterial() {
         if (!inMaterial_) return;
         if (ambient_ && *ambient_ != diffuse_.value_or(dvec3(0.8)) && !isUsualAmbient(*ambient_))
-            ignore("Ka is not supported and ignored; ambient light is reflected as Kd says", materialLine_);
+            ignore("Ka is not supported and ignored; ambient light is reflected as Kd says", ambientLine_);
         if (statements_.see == 1.0 && !statements_.opacity)
             ignore("Tr 1 makes material '" + shown(material_) + "' wholly transparent, which ray tracing alone shows; if it is opaque, write d 1",
-                   materialLine_);
+                   seeLine_);
         if (const auto& Tf = statements_.transmission; Tf && (Tf->x != Tf->y || Tf->y != Tf->z))
-            ignore("the colours of Tf are not supported; its mean is used", materialLine_);
+            ignore("the colours of Tf are not supported; its mean is used", transmissionLine_);
         if (isDefinition_) result_.more.try_emplace(material_, std::move(statements_));
     }
 
     void map(const std::string& keyword) {
-        MtlMap parsed = parseMtlMap(lines_.restOfLine());
-        parsed.place = lines_.place(lines_.line());
+        const std::size_t line = lines_.line();
+        MtlMap parsed = parseMtlMap(onOneLine(lines_.restOfStatement()));
+        parsed.place = lines_.place(line);
         for (const std::string& option : parsed.ignored)
-            ignore("option " + option + " of " + keyword + " is not supported and ignored");
-        if (parsed.file.empty()) return ignore(keyword + " names no image and is ignored");
-        (keyword == "map_d" ? statements_.alphaMap : statements_.diffuseMap) = std::move(parsed);
+            ignore("option " + option + " of " + keyword + " is not supported and ignored", line);
+        if (parsed.file.empty()) return ignore(keyword + " names no image and is ignored", line);
+        auto& kept = keyword == "map_d" ? statements_.alphaMap : statements_.diffuseMap;
+        if (kept && kept->file != parsed.file)
+            ignore("a further " + keyword + " of one material takes the place of the one before it, which is ignored", line);
+        kept = std::move(parsed);
     }
 
     /// What tinyobjloader does not tell from what was left out.
     void keep(std::string_view keyword, const std::array<double, 3>& values) {
         const dvec3 color(values[0], values[1], values[2]);
         if (keyword == "Kd") diffuse_ = color, statements_.hasDiffuse = true;
-        if (keyword == "Ka") ambient_ = color;
+        if (keyword == "Ka") ambient_ = color, ambientLine_ = lines_.line();
         if (keyword == "Ns") statements_.hasShininess = true;
-        if (keyword == "Tf") statements_.transmission = color;
+        if (keyword == "Tf") statements_.transmission = color, transmissionLine_ = lines_.line();
         if (keyword == "Pm") statements_.metallic = values[0];
         if (keyword == "Pr") statements_.roughness = values[0];
         if (keyword == "d") statements_.opacity = values[0];
-        if (keyword == "Tr") statements_.see = values[0];
+        if (keyword == "Tr") statements_.see = values[0], seeLine_ = lines_.line();
         if (keyword != "illum") return;
         statements_.illum = static_cast<int>(values[0]);
         if (statements_.illum == 0 || *statements_.illum >= 8)
@@ -198,7 +204,7 @@ private:
     CleanMtl result_;
     bool inMaterial_ = false, isDefinition_ = false; ///< of a name's definitions, the first one counts
     std::string material_;
-    std::size_t materialLine_ = 0;
+    std::size_t ambientLine_ = 0, transmissionLine_ = 0, seeLine_ = 0;
     MtlStatements statements_; ///< of the material
     std::optional<dvec3> diffuse_, ambient_;
     std::set<std::string> names_;

@@ -29,8 +29,8 @@ constexpr std::array kOptions{Option{"-s", 1, 3},
                               Option{"-bm", 1, 1, true},
                               Option{"-blendu", 1, 1, true}, // how its smaller copies are made; there are none
                               Option{"-blendv", 1, 1, true},
-                              Option{"-boost", 1, 1, true},
-                              Option{"-texres", 1, 1, true},
+                              Option{"-boost", 1, 1},
+                              Option{"-texres", 1, 1},
                               Option{"-t", 1, 3},
                               Option{"-cc", 1, 1},
                               Option{"-type", 1, 1},
@@ -114,7 +114,9 @@ MtlMap parseMtlMap(std::string_view statement) {
     const std::size_t name = applyOptions(words, 0, map);
     const std::size_t end = trailingOptions(words, name);
     applyOptions(words, end, map);
-    map.file = words.from(name, end);
+    const std::string_view file = words.from(name, end);
+    map.file = file;
+    map.fileAt = file.empty() ? 0 : static_cast<std::size_t>(file.data() - statement.data());
     return map;
 }
 

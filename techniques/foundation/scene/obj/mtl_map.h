@@ -12,6 +12,7 @@ namespace shadowlab::scene {
 
 struct MtlMap {
     std::string file;  ///< as it stands there; it may hold blanks
+    std::size_t fileAt = 0; ///< bytes into the statement
     std::string place; ///< "FILE:LINE"
     ImagePlacement placement;
     double base = 0.0, gain = 1.0;                                                     ///< -mm

@@ -90,6 +90,7 @@ void Scanner::position() {
                         "; rescale the model");
     scan_.positions.emplace_back(numbers[0], numbers[1], numbers[2]);
     ++positions_.count;
+    if (count == 7) others_.count(lines_, "v with 7 numbers is read as x y z w r g b; w is ignored");
     if (count >= 6) color(vec3(dvec3(numbers[count - 3], numbers[count - 2], numbers[count - 1])));
 }
 
@@ -113,9 +114,11 @@ void Scanner::scaleColors() {
 /// `s 3`: the faces from here on belong to group 3. `s off`, `s 0` and `s` alone: to none. `s on` is what some programs write of one group.
 void Scanner::smoothingGroup() {
     const std::string_view word = lines_.nextToken().value_or("off");
-    const double number = readNumber(word).value_or(word == "on" ? 1 : 0);
+    const double number = word == "off" ? 0 : word == "on" ? 1 : readNumber(word).value_or(-1);
     constexpr double kMost = 4294967295.0; // of 32 bits
     group_ = number >= 1 && number <= kMost ? static_cast<std::uint32_t>(number) : 0;
+    if (!(number >= 0 && number <= kMost))
+        others_.count(lines_, "s without a group's number (0 to 4294967295, on or off) is read as s off");
 }
 
 void Scanner::normal() {

@@ -86,10 +86,31 @@ std::string_view StatementLines::restOfLine() {
     return rest;
 }
 
+std::string_view StatementLines::restOfStatement() {
+    std::string_view rest = restOfLine();
+    const auto goesOn = [&] { return rest.ends_with('\\') && (rest.size() == 1 || isBlank(rest[rest.size() - 2])); };
+    while (goesOn() && nextLine()) {
+        const std::string_view more = restOfLine();
+        rest = {rest.data(), static_cast<std::size_t>(more.data() + more.size() - rest.data())};
+    }
+    return rest;
+}
+
 std::string StatementLines::place(std::size_t line) const { return fileName_ + ":" + std::to_string(line); }
 
 void StatementLines::fail(const std::string& message, ExitStatus status) const {
     throw Error(status, place(line_) + ": " + message);
+}
+
+std::string onOneLine(std::string_view statement) {
+    std::string line;
+    for (std::size_t at = 0; at < statement.size();) {
+        const std::size_t end = std::min(statement.find_first_of("\r\n", at), statement.size());
+        line += statement.substr(at, end - at);
+        if (end < statement.size()) line.back() = ' '; // the backslash
+        at = std::min(statement.find_first_not_of("\r\n", end), statement.size());
+    }
+    return line;
 }
 
 namespace {

@@ -28,6 +28,10 @@ public:
     /// What is left of the line, without blanks around it: a name, in which blanks and `#` may stand.
     std::string_view restOfLine();
 
+    /// The same over all lines of the statement, with the ends of lines in it (onOneLine() removes them). A backslash continues it only
+    /// where it stands behind a blank: at the end of a name it is a part of a Windows path.
+    std::string_view restOfStatement();
+
     /// Line of the last token, counted from 1.
     [[nodiscard]] std::size_t line() const { return line_; }
 
@@ -49,6 +53,9 @@ private:
     bool inComment_ = false;
     std::string_view keyword_;
 };
+
+/// What restOfStatement() gave, with a blank in place of each backslash and end of line.
+std::string onOneLine(std::string_view statement);
 
 /// A decimal number as all of `token`, read correctly rounded and whatever the locale. Nothing when it is no number;
 /// infinity when it is too large for double, NaN when it says so (also as 1.#QNAN). Too small is zero.

@@ -44,19 +44,26 @@ public:
     }
 
 private:
+    struct Found {
+        std::filesystem::path canonical;
+        std::string name; ///< in its folder: that of the link where it is one, and without what a statement adds, such as quotes
+    };
+
     /// The file that a statement names, under whatever spelling, if it is there and may be read. `inFolder` is the folder of the
     /// statement's file, relative to the mesh's; it comes first.
-    [[nodiscard]] std::optional<std::filesystem::path> found(const std::string& name, const std::string& inFolder = {}) {
-        std::error_code ignored;
-        const auto isFile = [&](const std::optional<std::filesystem::path>& path) {
-            return path && std::filesystem::is_regular_file(*path, ignored);
+    [[nodiscard]] std::optional<Found> found(const std::string& name, const std::string& inFolder = {}) {
+        const auto file = [&](const std::string& reference) -> std::optional<Found> {
+            std::error_code ignored;
+            const auto path = folders_.resolve(reference);
+            if (!path || !std::filesystem::is_regular_file(*path, ignored)) return std::nullopt;
+            return Found{*path, std::filesystem::path(reference).filename().string()};
         };
         if (!inFolder.empty() && !std::filesystem::path(name).is_absolute())
-            if (const auto beside = folders_.resolve(inFolder + "/" + name); isFile(beside)) return beside;
-        if (const auto path = folders_.resolve(name); isFile(path)) return path;
+            if (auto beside = file(inFolder + "/" + name)) return beside;
+        if (auto plain = file(name)) return plain;
         for (const std::string& folder : {inFolder, std::string()})
             if (const auto respelt = misnamed_.find(name, folder))
-                if (const auto path = folders_.resolve(*respelt); isFile(path)) return path;
+                if (auto other = file(*respelt)) return other;
         return std::nullopt;
     }
 
@@ -77,26 +84,22 @@ private:
             std::string packed;
             for (const std::string& name : names) {
                 const auto library = found(name);
-                const std::string place = library ? packedLibrary(*library, name) : name;
+                const std::string place = library ? packedLibrary(*library) : name;
                 const bool isQuoted = names.size() > 1 && place.find(' ') != std::string::npos;
                 packed += (packed.empty() ? "" : " ") + (isQuoted ? '"' + place + '"' : place);
             }
             if (!packed.empty()) replaced.replace(rest, packed);
         }
         const std::string ofSameName = file_.stem().string() + ".mtl"; // what is read where no library is named
-        if (const auto library = namesLibrary ? std::nullopt : found(ofSameName)) packedLibrary(*library, ofSameName);
+        if (const auto library = namesLibrary ? std::nullopt : found(ofSameName)) packedLibrary(*library);
         return std::move(replaced).finish();
     }
 
-    /// The last part of a name in a file, which may be written as on Windows.
-    static std::string fileName(std::string_view name) {
-        return std::string(name.substr(std::min(name.find_last_of("/\\") + 1, name.size())));
-    }
-
-    std::string packedLibrary(const std::filesystem::path& canonical, std::string_view name) {
+    std::string packedLibrary(const Found& library) {
+        const std::filesystem::path& canonical = library.canonical;
         // The images that it names are found beside the mesh: meshes of one folder share the copy.
         const std::filesystem::path source = canonical.string() + " for " + file_.parent_path().string();
-        return named(files_.add(source, folder_, fileName(name), [&](const std::filesystem::path&) {
+        return named(files_.add(source, folder_, library.name, [&](const std::filesystem::path&) {
             return mtlText(utf8Text(readFile(canonical, options_.limits.materialFileBytes, "material-file"), canonical), canonical);
         }));
     }
@@ -108,16 +111,16 @@ private:
             library.parent_path().lexically_relative(std::filesystem::weakly_canonical(file_).parent_path()).generic_string();
         while (lines.nextStatement()) {
             if (!namesAnImage(lines.keyword())) continue;
-            const std::string_view rest = lines.restOfLine();
-            const std::string written = parseMtlMap(rest).file;
-            const std::string_view name = rest.substr(std::min(rest.find(written), rest.size()), written.size());
-            const auto image = written.empty() ? std::nullopt : found(written, inFolder);
+            const std::string_view rest = lines.restOfStatement();
+            std::string statement = onOneLine(rest);
+            const MtlMap map = parseMtlMap(statement);
+            const auto image = map.file.empty() ? std::nullopt : found(map.file, inFolder);
             if (!image) continue;
             const std::filesystem::path place =
-                files_.add(*image, folder_ / "textures", fileName(name), [&](const std::filesystem::path&) {
-                    return readFile(*image, options_.limits.imageFileBytes);
+                files_.add(image->canonical, folder_ / "textures", image->name, [&](const std::filesystem::path&) {
+                    return readFile(image->canonical, options_.limits.imageFileBytes);
                 });
-            replaced.replace(name, named(place));
+            replaced.replace(rest, statement.replace(map.fileAt, map.file.size(), named(place)));
         }
         return std::move(replaced).finish();
     }

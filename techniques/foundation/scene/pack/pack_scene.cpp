@@ -7,6 +7,7 @@
 #include "techniques/foundation/scene/json/json_value.h"
 #include "techniques/foundation/scene/json/write_scene.h"
 #include "techniques/foundation/scene/load/file_access.h"
+#include "techniques/foundation/scene/load/misnamed_files.h"
 #include "techniques/foundation/scene/load/scene_file.h"
 #include "techniques/foundation/scene/pack/pack_mesh.h"
 #include "techniques/foundation/scene/pack/replaced_text.h"
@@ -29,7 +30,7 @@ class ScenePacker {
 public:
     ScenePacker(const std::filesystem::path& file, const LoadOptions& options, PackedFiles& files,
                 const std::function<void()>& pause)
-        : options_(options), folders_(file, options), base_(file.parent_path()), files_(files), pause_(pause),
+        : options_(options), folders_(file, options), misnamed_(folders_), base_(file.parent_path()), files_(files), pause_(pause),
           document_(readFile(file, options.limits.sceneFileBytes, "scene-file"), file, options.limits.jsonDepth) {
         // As for a mesh in a scene: its own references may use the scene's folder too.
         options_.allowed.push_back(base_.empty() ? "." : base_);
@@ -59,8 +60,9 @@ private:
 
     void addImage(const JsonValue& reference) {
         pause_();
-        const std::filesystem::path source = base_ / reference.string;
-        places_.push_back({&reference, files_.add(folders_.resolve(reference.string).value_or(source), "textures",
+        const std::string found = misnamed_.asFound(reference.string);
+        const std::filesystem::path source = base_ / found;
+        places_.push_back({&reference, files_.add(folders_.resolve(found).value_or(source), "textures",
                                                   source.filename().string(), [&](const std::filesystem::path&) {
                                                       return readFile(source, options_.limits.imageFileBytes);
                                                   })});
@@ -68,11 +70,12 @@ private:
 
     void addMesh(const JsonValue& reference) {
         pause_();
-        places_.push_back({&reference, packMesh(base_ / reference.string, options_, files_)});
+        places_.push_back({&reference, packMesh(base_ / misnamed_.asFound(reference.string), options_, files_)});
     }
 
     LoadOptions options_;
     AllowedFolders folders_;
+    MisnamedFiles misnamed_;
     std::filesystem::path base_;
     PackedFiles& files_;
     const std::function<void()>& pause_;

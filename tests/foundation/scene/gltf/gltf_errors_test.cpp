@@ -52,6 +52,7 @@ TEST(GltfErrors, EachNamesItsPlace) {
     };
     const std::vector<Case> cases{
         {"glTF version \"1.0\", and only 2.0 is read", set("/asset/version", "1.0")},
+        {"needs glTF version \"2.1\" (minVersion), and only 2.0 is read", set("/asset/minVersion", "2.1")},
         {"\"asset\" with its \"version\" is missing", set("/asset", Json::object())},
         {"extensionsRequired names \"KHR_draco_mesh_compression\"", set("/extensionsRequired", {"KHR_draco_mesh_compression"})},
         {"extensionsRequired names \"EXT_meshopt_compression\"",

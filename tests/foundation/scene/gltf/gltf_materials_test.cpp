@@ -247,7 +247,7 @@ TEST(GltfMaterials, ImagesThatCannotBeShownAreNoted) {
     };
     EXPECT_TRUE(contains(notesOn({}, "RIFF....WEBPVP8 "), "images[0]: is left out: it is a WebP image"));
     EXPECT_TRUE(contains(notesOn({}, "\xabKTX 20\xbb\r\n\x1a\n0123"), "it is a KTX2 image"));
-    EXPECT_TRUE(contains(notesOn({}, "rubbish"), "images[0]: is left out: it is not a readable PNG"));
+    EXPECT_TRUE(contains(notesOn({}, "rubbish"), "images[0]: is left out: it is neither PNG nor JPEG"));
     EXPECT_TRUE(contains(notesOn({{"uri", "none.png"}}), "images[0]: is left out: \"none.png\" cannot be read: No such file"));
     EXPECT_TRUE(contains(notesOn({{"uri", "http://x.org/a.png"}}), "is an address"));
     EXPECT_TRUE(contains(notesOn({{"uri", "data:image/png;base64,*"}}), "not well-formed base64"));
