@@ -12,6 +12,9 @@ namespace {
 // What the rounding of two planes in float makes, in units of the depth buffer, is four at most; twice that.
 constexpr double kLayerUnits = 8;
 
+// Of two triangles with the same corners the depths are rounded apart by two units at most; twice that.
+constexpr float kTwinUnits = 4;
+
 // Bits of the depth buffer (IdBuffer, Target), and how much farther apart than their gap two layers are to be for certain.
 constexpr int kDepthBits = 24;
 constexpr double kGaps = 2;
@@ -50,8 +53,8 @@ SeenRuns seenRuns(const scene::Mesh& mesh, std::vector<scene::SeenSides> sides) 
         result.gap = std::max(result.gap, both.gap);
     const auto look = [&](std::uint32_t triangle) {
         const scene::SeenSides both = sidesOf(result.sides, triangle);
-        return std::tuple(!isOrdinary(both.front), both.front.isHidden, both.front.isWithin, both.front.layer, both.back.isHidden,
-                          both.back.layer);
+        return std::tuple(!isOrdinary(both.front), both.front.isHidden, both.front.isWithin, both.front.layer, both.front.isTwin, both.back.isHidden,
+                          both.back.layer, both.back.isTwin);
     };
     for (const scene::MeshPart& part : mesh.parts) {
         std::vector<std::uint32_t> order;
@@ -85,9 +88,12 @@ void drawInLayers(std::span<const SeenRun> runs, const SeenObject& object,
             if (side.isHidden || (culls && !isFront) || (side.isWithin && object.eyeIsOutside)) continue;
             glEnable(GL_CULL_FACE);
             glCullFace(isFront != object.mirrored ? GL_BACK : GL_FRONT); // of a mirrored object the rasteriser takes the back for the front
-            if (side.layer != 0) {
+            if (side.layer != 0 || side.isTwin) {
                 glEnable(GL_POLYGON_OFFSET_FILL);
-                glPolygonOffset(-side.layer * object.step.slopes, -side.layer * object.step.units);
+                if (side.layer != 0)
+                    glPolygonOffset(-side.layer * object.step.slopes, -side.layer * object.step.units);
+                else
+                    glPolygonOffset(0, -kTwinUnits);
             }
             draw(run.first, run.count);
             glDisable(GL_POLYGON_OFFSET_FILL);

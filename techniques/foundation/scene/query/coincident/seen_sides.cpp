@@ -98,6 +98,7 @@ private:
     void findWithin(std::uint32_t first, const Object& object);
     void lift(const Side& side);
     [[nodiscard]] bool mayShade(const Side& under, const Side& side) const;
+    [[nodiscard]] bool areTwins(const Side& a, const Side& b) const;
 
     const Scene& scene_;
     const CoincidentFaces& faces_;
@@ -158,13 +159,20 @@ void Layers::findWithin(std::uint32_t first, const Object& object) {
     }
 }
 
-/// Could the shadow volume of the lower one begin in front of this side by rounding, and put it in shadow? It begins at faces toward the
-/// light, so only if both face the light at once. Equal depths are no danger.
+/// Could the shadow volume of the lower one begin in front of this side by rounding, and put it in shadow? Every triangle that casts has a
+/// cap in its own plane, also one that is turned over: with its corners in another order its depths are others by rounding. Of a closed
+/// body the inner side is no danger: what stands on this side is the far end of its volume.
 bool Layers::mayShade(const Side& under, const Side& side) const {
     const Entry &lower = entries_.at(under.triangle), &upper = entries_.at(side.triangle);
     const bool same = lower.object->mesh == upper.object->mesh && lower.object->worldFromObject == upper.object->worldFromObject &&
                       lower.placed.cornersWorld == upper.placed.cornersWorld;
-    return lower.object->castsShadow && !same && under.isFront == side.isFront;
+    return lower.object->castsShadow && !same && !isInner(under);
+}
+
+/// Two triangles of one object with the same three corners: the rasteriser moves these alike, so the depths differ by rounding alone.
+bool Layers::areTwins(const Side& a, const Side& b) const {
+    const Entry &one = entries_.at(a.triangle), &other = entries_.at(b.triangle);
+    return one.object == other.object && std::ranges::is_permutation(one.placed.cornersWorld, other.placed.cornersWorld);
 }
 
 void Layers::lift(const Side& side) {
@@ -176,7 +184,11 @@ void Layers::lift(const Side& side) {
         isUnder |= rankOf(other) > rankOf(side);
         if (rankOf(other) > rankOf(side) || isInner(other)) continue;
         if (!at(other).isHidden) layer = std::max(layer, at(other).layer + 1);
-        if (mayShade(other, side)) layer = std::max(layer, 1);
+        if (!mayShade(other, side)) continue;
+        if (areTwins(other, side))
+            at(side).isTwin = true;
+        else
+            layer = std::max(layer, 1);
     }
     // The inner side of a body that stands partly beside what it stands on: seen from within alone, so it is what gives way.
     if (isInner(side) && isUnder) layer = -1;

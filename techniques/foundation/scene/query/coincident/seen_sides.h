@@ -15,6 +15,7 @@ namespace shadowlab::scene {
 struct SeenSide {
     bool isHidden = false; ///< to be left out
     std::int8_t layer = 0; ///< how often nearer to the eye; negative: farther
+    bool isTwin = false;   ///< nearer by a rounding of depth alone: another triangle has the same three corners
     bool isWithin = false; ///< seen from within a closed skin alone: to be left out where the eye is outside of the object's box
     friend bool operator==(const SeenSide&, const SeenSide&) = default;
 };
