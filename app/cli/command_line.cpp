@@ -20,8 +20,7 @@
 #include "app/picture/limits.h"
 #include "app/student/plugins.h"
 #include "techniques/foundation/base/nearest_names.h"
-#include "techniques/foundation/scene/gltf/load_gltf.h"
-#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/load/scene_file.h"
 
 namespace shadowlab::cli {
 
@@ -59,9 +58,8 @@ void refuseLeftOver(const CLI::App& command) {
 }
 
 bool isScene(const std::string& word) {
-    const std::string ending = std::filesystem::path(word).extension().string();
     const std::vector<std::string> builtIn = scene::builtInScenes(context::assetsRoot());
-    return ending == ".json" || ending == ".obj" || scene::isGltfFile(word) || std::ranges::find(builtIn, word) != builtIn.end();
+    return scene::fileKind(word) != scene::FileKind::none || std::ranges::find(builtIn, word) != builtIn.end();
 }
 
 /// Without a command: `shadowlab SCENE` is the demo of that scene, and `shadowlab` alone that of the first one.

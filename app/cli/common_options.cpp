@@ -43,7 +43,7 @@ std::optional<scene::NormalMode> normalsFrom(const GivenOptions& given, const st
     if (!given.has("--normals")) return {};
     const std::vector<std::string> modes(scene::kNormalModes.begin(), scene::kNormalModes.end());
     const auto mode = static_cast<scene::NormalMode>(choiceFrom("--normals", given.text("--normals"), modes));
-    if (!std::filesystem::path(scene).has_extension() || scene::isSceneFile(scene))
+    if (!std::filesystem::path(scene).has_extension() || scene::fileKind(scene) == scene::FileKind::scene)
         refuseUsage("--normals: it is for a mesh, and '" + scene::shown(scene) +
                     "' is a scene; write \"normals\" in its objects instead");
     return mode;

@@ -8,9 +8,9 @@
 #include "app/course/lessons/lesson_parts.h"
 #include "app/film/light_changes.h"
 #include "app/lab/settings.h"
-#include "techniques/foundation/scene/gltf/load_gltf.h"
 #include "techniques/foundation/scene/json/scene_json.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/load/scene_file.h"
 
 namespace shadowlab::course {
 
@@ -92,9 +92,8 @@ picture::StageRef StateReader::readStage(const JsonObject& object, const Techniq
 
 void StateReader::loadScene(const JsonObject& object, ShownState& state) {
     const std::string reference = object.text("scene");
-    const std::string ending = std::filesystem::path(reference).extension().string();
     state.sceneName = reference;
-    if (ending == ".json" || ending == ".obj" || scene::isGltfFile(state.sceneName)) {
+    if (scene::fileKind(reference) != scene::FileKind::none) {
         const auto found = scene::AllowedFolders(file_, options_).resolve(reference);
         if (!found) object.fail("scene", scene::inQuotes(reference) + " " + std::string(scene::kOutsideMessage));
         state.sceneName = (file_.parent_path() / reference).string();

@@ -10,9 +10,9 @@
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
-#include "techniques/foundation/scene/gltf/load_gltf.h"
 #include "techniques/foundation/scene/json/write_scene.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/load/scene_file.h"
 
 namespace shadowlab::window {
 
@@ -97,9 +97,7 @@ void WindowFiles::openDropped(int count, const char** paths) {
             screen_.complain(dropped + ": cannot be found: " + failed.message() + "; drop it from another folder");
             continue;
         }
-        std::string ending = path.extension().string();
-        std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-        if (ending == ".json" || ending == ".obj" || scene::isGltfFile(path))
+        if (scene::fileKind(path) != scene::FileKind::none)
             ui_.requests.scene = path.string();
         else
             screen_.complain(scene::shownPath(path) + ": neither a .json scene nor a mesh (.obj, .gltf, .glb); drop one of these");

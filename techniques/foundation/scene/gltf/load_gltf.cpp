@@ -138,13 +138,6 @@ private:
 
 } // namespace
 
-bool isGltfFile(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    for (char& c : ending)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return ending == ".gltf" || ending == ".glb";
-}
-
 GltfFile parseGltf(std::string bytes, const std::filesystem::path& file, NormalMode mode, const LoadOptions& options) {
     GltfContainer container = gltfContainer(std::move(bytes), file);
     requireMemoryForJson(container, file, options.limits);

@@ -23,8 +23,6 @@ struct GltfFile {
     std::vector<std::string> notes;
 };
 
-bool isGltfFile(const std::filesystem::path& file);
-
 /// Throws Error (badInput, overLimit). Everything is checked before it is used.
 GltfFile loadGltf(const std::filesystem::path& file, NormalMode mode, const LoadOptions& options);
 

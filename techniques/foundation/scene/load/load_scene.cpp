@@ -14,14 +14,6 @@ namespace shadowlab::scene {
 
 namespace {
 
-/// The file's ending in lower case: MODEL.OBJ is an OBJ file too.
-std::string ending(const std::filesystem::path& path) {
-    std::string text = path.extension().string();
-    for (char& c : text)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
-}
-
 std::shared_ptr<const Scene> loadJson(const std::filesystem::path& file, const LoadOptions& options) {
     const auto scene = parseSceneJson(readFile(file, options.limits.sceneFileBytes, "scene-file"), file, options);
     image::keepInput(file);
@@ -40,11 +32,19 @@ std::vector<std::string> builtInScenes(const std::filesystem::path& assetsRoot) 
     return names;
 }
 
-bool isSceneFile(const std::filesystem::path& file) { return ending(file) == ".json"; }
+FileKind fileKind(const std::filesystem::path& file) {
+    std::string ending = file.extension().string();
+    for (char& c : ending)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return ending == ".json"                       ? FileKind::scene
+           : ending == ".obj"                      ? FileKind::obj
+           : ending == ".gltf" || ending == ".glb" ? FileKind::gltf
+                                                   : FileKind::none;
+}
 
 std::filesystem::path sceneFile(const std::string& nameOrPath, const LoadOptions& options) {
     const std::filesystem::path path(nameOrPath);
-    if (isSceneFile(path) || isGltfFile(path) || ending(path) == ".obj") return path;
+    if (fileKind(path) != FileKind::none) return path;
 
     const std::vector<std::string> names = builtInScenes(options.assetsRoot);
     if (std::ranges::find(names, nameOrPath) != names.end())
@@ -61,8 +61,11 @@ std::filesystem::path sceneFile(const std::string& nameOrPath, const LoadOptions
 
 std::shared_ptr<const Scene> loadScene(const std::string& nameOrPath, const LoadOptions& options) {
     const std::filesystem::path file = sceneFile(nameOrPath, options);
-    if (isGltfFile(file)) return stagedGltf(loadGltf(file, options.normals.value_or(NormalMode::file), options), file, options);
-    return isSceneFile(file) ? loadJson(file, options) : stageObj(file, options);
+    switch (fileKind(file)) {
+    case FileKind::scene: return loadJson(file, options);
+    case FileKind::gltf: return stagedGltf(loadGltf(file, options.normals.value_or(NormalMode::file), options), file, options);
+    default: return stageObj(file, options);
+    }
 }
 
 } // namespace shadowlab::scene

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "techniques/foundation/scene/gltf/load_gltf.h"
 #include "techniques/foundation/scene/load/file_access.h"
 #include "techniques/foundation/scene/load/misnamed_files.h"
+#include "techniques/foundation/scene/load/scene_file.h"
 #include "techniques/foundation/scene/load/text_encoding.h"
 #include "techniques/foundation/scene/obj/library_names.h"
 #include "techniques/foundation/scene/obj/mtl_map.h"
@@ -136,7 +136,7 @@ private:
 } // namespace
 
 std::filesystem::path packMesh(const std::filesystem::path& file, const LoadOptions& options, PackedFiles& files) {
-    if (isGltfFile(file)) return packGltf(file, options, files);
+    if (fileKind(file) == FileKind::gltf) return packGltf(file, options, files);
     return MeshPacker(file, options, files).run();
 }
 

@@ -98,7 +98,7 @@ PackedScene packScene(const std::string& nameOrPath, const Scene& scene, const L
     PackedFiles files(folder);
     const std::filesystem::path name = scene.name + ".json";
     const std::filesystem::path source = sceneFile(nameOrPath, options);
-    if (isSceneFile(source))
+    if (fileKind(source) == FileKind::scene)
         files.write(name, ScenePacker(source, options, files, pause).text());
     else
         files.write(name, stagedText(scene, folder, packMesh(source, options, files)));
