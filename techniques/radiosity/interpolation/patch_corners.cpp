@@ -4,32 +4,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
+
+#include "techniques/foundation/base/disjoint_sets.h"
 
 namespace shadowlab::radiosity {
 
 namespace {
 
 /// For each piece of border, the representative of its corner: the first of the pieces that begin at the same point and are
-/// connected by walking from patch to patch about that point across continuous borders (union-find).
+/// connected by walking from patch to patch about that point across continuous borders.
 std::vector<std::uint32_t> roundEachPoint(const PatchBorders& borders) {
-    std::vector<std::uint32_t> leader(borders.pieces.size());
-    std::iota(leader.begin(), leader.end(), 0u);
-    const auto find = [&](std::uint32_t piece) {
-        while (leader[piece] != piece)
-            piece = leader[piece] = leader[leader[piece]];
-        return piece;
-    };
-    for (std::uint32_t piece = 0; piece < leader.size(); ++piece) {
-        const std::uint32_t across = borders.pieces[piece].across;
-        if (across == PatchBorders::kNone) continue;
-        const std::uint32_t a = find(piece), b = find(borders.after(across)); // both begin at the end of `across`
-        leader[std::max(a, b)] = std::min(a, b);
-    }
-    for (std::uint32_t piece = 0; piece < leader.size(); ++piece)
-        leader[piece] = find(piece);
-    return leader;
+    DisjointSets joined(borders.pieces.size());
+    for (std::uint32_t piece = 0; piece < borders.pieces.size(); ++piece)
+        if (const std::uint32_t across = borders.pieces[piece].across; across != PatchBorders::kNone)
+            joined.join(piece, borders.after(across)); // both begin at the end of `across`
+    return joined.names();
 }
 
 struct LinearFit {

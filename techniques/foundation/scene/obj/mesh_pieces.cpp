@@ -11,6 +11,7 @@
 #include <limits>
 #include <numeric>
 
+#include "techniques/foundation/base/disjoint_sets.h"
 #include "techniques/foundation/scene/obj/vertex_welder.h"
 
 namespace shadowlab::scene {
@@ -124,22 +125,14 @@ private:
     }
 
     void findComponents() {
-        std::vector<std::uint32_t> parent(positions_.size());
-        std::iota(parent.begin(), parent.end(), 0u);
-        const auto rootOf = [&](std::uint32_t v) {
-            while (parent[v] != v)
-                v = parent[v] = parent[parent[v]]; // halves the path (Tarjan and van Leeuwen 1984)
-            return v;
-        };
+        DisjointSets joined(positions_.size());
         forEdges([&](std::uint32_t a, std::uint32_t b, double length) {
-            if (length > kLongEdge * std::min(details_[a], details_[b])) return;
-            const std::uint32_t rootA = rootOf(a), rootB = rootOf(b);
-            parent[std::max(rootA, rootB)] = std::min(rootA, rootB);
+            if (length <= kLongEdge * std::min(details_[a], details_[b])) joined.join(a, b);
         });
         componentOf_.assign(positions_.size(), kNone);
-        for (std::uint32_t v = 0; v < parent.size(); ++v) {
+        for (std::uint32_t v = 0; v < positions_.size(); ++v) {
             if (place_[v] != v || details_[v] == kInfinity) continue;
-            const std::uint32_t root = rootOf(v); // the least of its part, so it was met before
+            const std::uint32_t root = joined.nameOf(v); // the least of its part, so it was met before
             if (root == v) {
                 componentOf_[v] = static_cast<std::uint32_t>(components_.size());
                 components_.emplace_back();

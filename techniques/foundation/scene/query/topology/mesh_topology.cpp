@@ -7,6 +7,8 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "techniques/foundation/base/disjoint_sets.h"
+
 namespace shadowlab::scene {
 
 namespace {
@@ -46,24 +48,13 @@ std::uint64_t duplicateTriangles(const Mesh& mesh, const MeshTopology& topology)
     return count;
 }
 
-/// The number of components connected by edges (union-find: each edge joins its triangles).
+/// The number of components connected by edges.
 std::uint64_t components(const Mesh& mesh, const MeshTopology& topology) {
-    std::vector<std::uint32_t> parent(mesh.triangles.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t t) {
-        while (parent[t] != t)
-            t = parent[t] = parent[parent[t]];
-        return t;
-    };
-    std::uint64_t count = parent.size();
+    DisjointSets joined(mesh.triangles.size());
+    std::uint64_t count = mesh.triangles.size();
     for (const Edge& edge : topology.edges)
-        for (std::uint32_t i = 1; i < edge.useCount; ++i) {
-            const std::uint32_t a = root(topology.uses[edge.firstUse].triangle);
-            const std::uint32_t b = root(topology.uses[edge.firstUse + i].triangle);
-            if (a == b) continue;
-            parent[std::max(a, b)] = std::min(a, b);
-            --count;
-        }
+        for (std::uint32_t i = 1; i < edge.useCount; ++i)
+            count -= joined.join(topology.uses[edge.firstUse].triangle, topology.uses[edge.firstUse + i].triangle) ? 1 : 0;
     return count;
 }
 

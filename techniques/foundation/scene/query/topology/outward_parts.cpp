@@ -2,29 +2,21 @@
 #include "techniques/foundation/scene/query/topology/outward_parts.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "techniques/foundation/base/disjoint_sets.h"
 #include "techniques/foundation/scene/query/topology/simple_surface.h"
 
 namespace shadowlab::scene {
 
 namespace {
 
-/// The connected component of each triangle, named by one of its triangles. Union-find with path halving (Tarjan 1975).
+/// The connected component of each triangle, named by one of its triangles.
 std::vector<std::uint32_t> pieces(std::size_t triangles, const MeshTopology& topology) {
-    std::vector<std::uint32_t> parent(triangles);
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t t) {
-        while (parent[t] != t)
-            t = parent[t] = parent[parent[t]];
-        return t;
-    };
+    DisjointSets joined(triangles);
     for (const Edge& edge : topology.edges)
         for (std::uint32_t u = 1; u < edge.useCount; ++u)
-            parent[root(topology.uses[edge.firstUse + u].triangle)] = root(topology.uses[edge.firstUse].triangle);
-    for (std::uint32_t t = 0; t < triangles; ++t)
-        parent[t] = root(t);
-    return parent;
+            joined.join(topology.uses[edge.firstUse].triangle, topology.uses[edge.firstUse + u].triangle);
+    return joined.names();
 }
 
 /// The contractions that are tried, each as the set of axes along which the piece shrinks: three, toward a point; two,
