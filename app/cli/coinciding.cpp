@@ -15,15 +15,6 @@ struct Surface {
     auto operator<=>(const Surface&) const = default;
 };
 
-/// The surfaces of all triangles of a scene.
-std::vector<Surface> surfacesOf(const scene::Scene& scene) {
-    std::vector<Surface> surfaces;
-    for (std::size_t o = 0; o < scene.objects.size(); ++o)
-        for (std::size_t p = 0; p < scene.objects[o].mesh->parts.size(); ++p)
-            surfaces.insert(surfaces.end(), scene.objects[o].mesh->parts[p].triangleCount, Surface{o, p});
-    return surfaces;
-}
-
 std::string nameOf(const scene::Scene& scene, const Surface& surface) {
     const scene::Object& object = scene.objects[surface.object];
     if (object.mesh->parts.size() == 1) return object.name;
@@ -35,14 +26,18 @@ std::string nameOf(const scene::Scene& scene, const Surface& surface) {
 std::vector<Coinciding> coinciding(const scene::Scene& scene) {
     const auto faces = scene::CoincidentFaces::of(scene);
     if (faces->isEmpty()) return {};
-    const std::vector<Surface> surfaces = surfacesOf(scene);
+    const auto surfaceOf = [&](std::uint32_t number) {
+        const scene::CoincidentFaces::Triangle& triangle = faces->triangle(number);
+        return Surface{triangle.object, scene::partOf(*scene.objects[triangle.object].mesh, triangle.inObject)};
+    };
     struct Found {
         std::uint64_t pairs = 0, firstSeen = 0; ///< of the pairs, those of which the first surface's front is seen
     };
     std::map<std::tuple<Surface, Surface, bool>, Found> found;
     for (const auto& [triangle, other, faceAlike, gap] : faces->pairs()) {
-        if (surfaces[other] < surfaces[triangle] || (surfaces[other] == surfaces[triangle] && other < triangle)) continue;
-        Found& entry = found[{surfaces[triangle], surfaces[other], faceAlike}];
+        const Surface own = surfaceOf(triangle), others = surfaceOf(other);
+        if (others < own || (others == own && other < triangle)) continue; // each pair stands in both orders
+        Found& entry = found[{own, others, faceAlike}];
         ++entry.pairs;
         entry.firstSeen += faces->rank(other, faceAlike) < faces->rank(triangle, true);
     }

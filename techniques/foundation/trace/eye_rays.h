@@ -26,13 +26,15 @@ struct SeenFrom {
 /// camera's axis, so the near plane is one number for all.
 class EyeRays {
 public:
-    EyeRays(const scene::Camera& camera, ivec2 size, const dvec3& originWorld)
-        : eyeCentred_(camera.positionWorld - originWorld), near_(camera.near), size_(size),
+    /// `eyeIsWithin`: within a closed body that touches other surfaces (CoincidentFaces::isWithinBody).
+    EyeRays(const scene::Camera& camera, ivec2 size, const dvec3& originWorld, bool eyeIsWithin)
+        : eyeIsWithin_(eyeIsWithin), eyeCentred_(camera.positionWorld - originWorld), near_(camera.near), size_(size),
           worldFromView_(glm::transpose(dmat3(scene::viewFromWorld(camera)))),
           halfHeight_(std::tan(camera.fovYDegrees * glm::pi<double>() / 360.0)),
           halfWidth_(halfHeight_ * size.x / size.y) {}
 
     [[nodiscard]] const dvec3& eyeCentred() const { return eyeCentred_; }
+    [[nodiscard]] bool eyeIsWithin() const { return eyeIsWithin_; }
 
     /// Metres along the camera's axis; nothing nearer is hit.
     [[nodiscard]] double nearest() const { return near_; }
@@ -76,6 +78,7 @@ private:
     [[nodiscard]] double xView(double pixel) const { return (2.0 * pixel / size_.x - 1.0) * halfWidth_; }
     [[nodiscard]] double yView(double pixel) const { return (1.0 - 2.0 * pixel / size_.y) * halfHeight_; }
 
+    bool eyeIsWithin_;
     dvec3 eyeCentred_;
     double near_;
     ivec2 size_;

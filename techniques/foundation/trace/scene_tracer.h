@@ -67,7 +67,7 @@ public:
     [[nodiscard]] double largestCentred() const { return static_cast<double>(bvh().largest); }
 
     [[nodiscard]] EyeRays eyeRays(const scene::Camera& camera, ivec2 size) const {
-        return {camera, size, world().originWorld};
+        return {camera, size, world().originWorld, coincident_->isWithinBody(camera.positionWorld)};
     }
     [[nodiscard]] SurfacePoint eyePoint(const EyeRays& rays, dvec2 pixel) const;
 
@@ -188,8 +188,7 @@ private:
     }
     [[nodiscard]] scene::SideRank rankOf(std::uint32_t primitive, const dvec3& directionWorld) const;
     [[nodiscard]] bool mayShowAnother(const SurfacePoint& point, bool eyeIsWithin) const {
-        return coincident_->touches(point.primitive) &&
-               coincident_->mayShowAnother(point.primitive, point.eyeOnFront != scene::isMirrored(objectOf(point)), eyeIsWithin);
+        return coincident_->mayShowAnother(point.primitive, point.eyeOnFront, eyeIsWithin);
     }
     [[nodiscard]] SurfacePoint surfacePoint(const EyeRays& rays, const RayHit& hit) const;
     [[nodiscard]] Ray shadowRay(const SurfacePoint& point, int light, ShadowStart start) const;

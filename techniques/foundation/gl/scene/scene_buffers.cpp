@@ -102,8 +102,7 @@ void SceneBuffers::updateSeenRuns() {
     std::shared_ptr<const scene::CoincidentFaces> coincident = scene::CoincidentFaces::of(*snapshot_);
     if (coincident == coincident_) return;
     coincident_ = std::move(coincident);
-    // Objects of one mesh that are drawn alike share the order of its triangles: columns on a floor.
-    std::map<std::pair<const scene::Mesh*, std::vector<std::uint32_t>>, std::shared_ptr<const OrderedTriangles>> shared;
+    const auto known = std::exchange(ordered_, {}); // an object that is dragged is drawn as before
     seenRuns_.clear();
     const std::vector<scene::SeenSides> sides = scene::seenSides(*snapshot_, *coincident_);
     for (std::size_t o = 0; o < snapshot_->objects.size(); ++o) {
@@ -115,9 +114,12 @@ void SceneBuffers::updateSeenRuns() {
             ofObject.push_back({side->triangle - base, side->front, side->back, side->gap});
         if (ofObject.empty()) continue;
         SeenRuns& runs = seenRuns_.emplace(o, gl::seenRuns(mesh, std::move(ofObject))).first->second;
-        std::shared_ptr<const OrderedTriangles>& triangles = shared[{&mesh, runs.order}];
-        if (!triangles) triangles = std::make_shared<OrderedTriangles>(mesh, *objectMeshes_[o], runs.order);
-        runs.triangles = triangles;
+        const auto [entry, isNew] = ordered_.try_emplace({&mesh, runs.order});
+        if (isNew) {
+            const auto old = known.find(entry->first);
+            entry->second = old != known.end() ? old->second : std::make_shared<OrderedTriangles>(mesh, *objectMeshes_[o], runs.order);
+        }
+        runs.triangles = entry->second;
     }
 }
 

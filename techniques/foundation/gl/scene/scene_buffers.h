@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "techniques/foundation/gl/program.h"
@@ -67,6 +68,8 @@ private:
     std::vector<scene::Bounds> bounds_;
     std::shared_ptr<const scene::CoincidentFaces> coincident_;
     std::map<std::size_t, SeenRuns> seenRuns_; ///< by object
+    /// Objects of one mesh that are drawn alike share them: columns on a floor. By mesh and order.
+    std::map<std::pair<const scene::Mesh*, std::vector<std::uint32_t>>, std::shared_ptr<const OrderedTriangles>> ordered_;
     mutable std::map<int, TriangleTexture> facing_;
     mutable std::optional<TriangleTexture> facingOfAllLights_;
     Program greyed_{"fullscreen.vert", "greyed.frag"};

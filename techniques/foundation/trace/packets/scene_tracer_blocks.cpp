@@ -94,8 +94,7 @@ void SceneTracer::eyePoints(const EyeRays& rays, ivec2 corner, ivec2 blockSize, 
 
 void SceneTracer::eyePointsOn(std::span<const std::uint32_t> primitives, const EyeRays& rays, ivec2 corner,
                               ivec2 blockSize, dvec2 within, std::span<SurfacePoint> points) const {
-    const bool eyeIsWithin = coincident_->isWithinBody(rays.eyeCentred() + world().originWorld);
-    const bool othersMayBeSeen = eyeIsWithin || coincident_->mayAnyShowAnother();
+    const bool othersMayBeSeen = rays.eyeIsWithin() || coincident_->mayAnyShowAnother();
     for (int y = 0; y < blockSize.y; y += kBlock)
         for (int x = 0; x < blockSize.x; x += kBlock) {
             const ivec2 size = glm::min(ivec2(kBlock), blockSize - ivec2(x, y));
@@ -107,7 +106,7 @@ void SceneTracer::eyePointsOn(std::span<const std::uint32_t> primitives, const E
             for (int row = 0; row < size.y; ++row)
                 for (int column = 0; column < size.x; ++column) {
                     SurfacePoint& point = points[first + static_cast<std::size_t>(row * blockSize.x + column)];
-                    if (point && mayShowAnother(point, eyeIsWithin))
+                    if (point && mayShowAnother(point, rays.eyeIsWithin()))
                         point = eyePoint(rays, dvec2(corner + ivec2(x + column, y + row)) + within);
                 }
         }

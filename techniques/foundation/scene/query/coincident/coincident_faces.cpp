@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <mutex>
-#include <ranges>
+#include <set>
 
 #include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/query/coincident/outward_shells.h"
 #include "techniques/foundation/scene/query/coincident/placed_triangle.h"
 #include "techniques/foundation/scene/query/coincident/touching_boxes.h"
 
@@ -51,18 +52,16 @@ CoincidentFaces::CoincidentFaces(const Scene& scene, const CoincidentFaces* befo
     findWithinMeshes(scene, before);
     findBetweenObjects(scene, before);
     numberPairs(scene);
-    if (pairs_.empty()) return;
-    flagTriangles(scene);
-    rankTriangles(scene);
+    if (!pairs_.empty()) flagTriangles(scene);
 }
 
 void CoincidentFaces::findWithinMeshes(const Scene& scene, const CoincidentFaces* before) {
     for (const Object& object : scene.objects) {
-        Founds& founds = withinMeshes_[object.mesh];
-        if (founds) continue;
+        std::shared_ptr<const WithinMesh>& within = withinMeshes_[object.mesh];
+        if (within) continue;
         if (before)
             if (const auto known = before->withinMeshes_.find(object.mesh); known != before->withinMeshes_.end()) {
-                founds = known->second;
+                within = known->second;
                 continue;
             }
         Object unmoved; // where a mesh stands does not matter to what coincides in it
@@ -77,13 +76,18 @@ void CoincidentFaces::findWithinMeshes(const Scene& scene, const CoincidentFaces
             boxes.push_back(placed.box);
             normals.push_back(roughNormal(placed));
         }
-        std::vector<Found> found;
+        auto contacts = std::make_shared<WithinMesh>();
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> turnedOver;
         forEachTouchingPair(boxes, [&](std::uint32_t i, std::uint32_t j) {
             if (!mayBeParallel(normals[i], normals[j])) return;
             const PlacedTriangle a = place(i), b = place(j);
-            if (coincide(a, b)) found.push_back({i, j, glm::dot(a.normal, b.normal) > 0, gapBetween(a, b)});
+            if (!coincide(a, b)) return;
+            const bool faceAlike = glm::dot(a.normal, b.normal) > 0;
+            contacts->found.push_back({i, j, faceAlike, gapBetween(a, b)});
+            if (!faceAlike) turnedOver.emplace_back(i, j);
         });
-        founds = std::make_shared<std::vector<Found>>(std::move(found));
+        if (!turnedOver.empty()) contacts->inOuterSkin = inOutwardShell(*object.mesh, turnedOver);
+        within = std::move(contacts);
     }
 }
 
@@ -130,13 +134,29 @@ void CoincidentFaces::numberPairs(const Scene& scene) {
         pairs_.push_back({j, i, found.faceAlike, found.gap});
     };
     for (std::size_t o = 0; o < scene.objects.size(); ++o)
-        for (const Found& found : *withinMeshes_.at(scene.objects[o].mesh))
+        for (const Found& found : withinMeshes_.at(scene.objects[o].mesh)->found)
             add(found, o, o);
     for (const auto& [objects, between] : betweenObjects_)
         for (const Found& found : *between.found)
             add(found, objects.first, objects.second);
+    if (pairs_.empty()) return;
     std::ranges::sort(pairs_);
-    if (!pairs_.empty()) flags_.resize(firstOfObject.back());
+    flags_.resize(firstOfObject.back());
+    listTriangles(scene, firstOfObject);
+}
+
+void CoincidentFaces::listTriangles(const Scene& scene, std::span<const std::uint32_t> firstOfObject) {
+    for (const Pair& pair : pairs_) {
+        if (!triangles_.empty() && triangles_.back().number == pair.triangle) continue;
+        const auto behind = std::ranges::upper_bound(firstOfObject, pair.triangle);
+        const auto o = static_cast<std::uint32_t>(behind - firstOfObject.begin()) - 1;
+        const Object& object = scene.objects[o];
+        const std::uint32_t inObject = pair.triangle - firstOfObject[o];
+        const Material& material = materialOfTriangle(scene, object, inObject);
+        const std::vector<std::uint32_t>& fileOrder = object.mesh->fileOrder;
+        triangles_.push_back({pair.triangle, o, inObject, firstOfObject[o] + (fileOrder.empty() ? inObject : fileOrder[inObject]),
+                              rankOf(object, material, true), rankOf(object, material, false)});
+    }
 }
 
 bool CoincidentFaces::isInner(const Scene& scene, const Object& object, bool isFront) {
@@ -144,40 +164,23 @@ bool CoincidentFaces::isInner(const Scene& scene, const Object& object, bool isF
 }
 
 void CoincidentFaces::flagTriangles(const Scene& scene) {
-    std::vector<const Object*> objects; // of each triangle
-    for (const Object& object : scene.objects)
-        objects.insert(objects.end(), object.mesh->triangles.size(), &object);
-    std::vector<const Object*> bodies;
+    std::set<std::uint32_t> bodies; // objects
     for (const Pair& pair : pairs_) {
         std::uint8_t& flags = flags_[pair.triangle];
         flags |= together;
         if (pair.gap > 0) flags |= uneven;
-        const Object& other = *objects[pair.other];
+        const std::uint32_t o = triangle(pair.other).object;
+        const Object& other = scene.objects[o];
         // An eye that sees a front of this one sees the other's front if they face alike, else its back.
-        if (!isInner(scene, other, pair.faceAlike)) flags |= front;
-        if (!isInner(scene, other, !pair.faceAlike)) flags |= back;
-        if (isInner(scene, other, false) && (bodies.empty() || bodies.back() != &other)) bodies.push_back(&other);
+        const bool mirrored = isMirrored(scene.objects[triangle(pair.triangle).object]);
+        if (!isInner(scene, other, pair.faceAlike)) flags |= mirrored ? back : front;
+        if (!isInner(scene, other, !pair.faceAlike)) flags |= mirrored ? front : back;
+        if (isInner(scene, other, false)) bodies.insert(o);
+        anyUneven_ = anyUneven_ || (flags & uneven) != 0;
+        anyShown_ = anyShown_ || (flags & (front | back)) != 0;
     }
-    std::ranges::sort(bodies);
-    bodies.erase(std::ranges::unique(bodies).begin(), bodies.end());
-    for (const Object* body : bodies)
-        bodies_.push_back(boundsWorld(*body));
-    anyUneven_ = std::ranges::any_of(flags_, [](std::uint8_t flags) { return (flags & uneven) != 0; });
-    anyShown_ = std::ranges::any_of(flags_, [](std::uint8_t flags) { return (flags & (front | back)) != 0; });
-}
-
-void CoincidentFaces::rankTriangles(const Scene& scene) {
-    std::uint32_t first = 0;
-    for (const Object& object : scene.objects) {
-        const Mesh& mesh = *object.mesh;
-        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-            if (!flags_[first + t]) continue;
-            const Material& material = materialOfTriangle(scene, object, t);
-            ranked_.push_back({first + t, first + (mesh.fileOrder.empty() ? t : mesh.fileOrder[t]), rankOf(object, material, true),
-                               rankOf(object, material, false)});
-        }
-        first += static_cast<std::uint32_t>(mesh.triangles.size());
-    }
+    for (const std::uint32_t body : bodies)
+        bodies_.push_back(boundsWorld(scene.objects[body]));
 }
 
 std::shared_ptr<const CoincidentFaces> CoincidentFaces::of(const Scene& scene) {
@@ -213,9 +216,8 @@ bool CoincidentFaces::isWithinBody(const dvec3& positionWorld) const {
     });
 }
 
-SideRank CoincidentFaces::rank(std::uint32_t triangle, bool isFront) const {
-    const auto found = std::ranges::lower_bound(ranked_, triangle, {}, &Ranked::triangle);
-    return {isFront ? found->rankOfFront : found->rankOfBack, found->place};
+const CoincidentFaces::Triangle& CoincidentFaces::triangle(std::uint32_t number) const {
+    return *std::ranges::lower_bound(triangles_, number, {}, &Triangle::number);
 }
 
 } // namespace shadowlab::scene

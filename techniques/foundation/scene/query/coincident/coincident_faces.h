@@ -56,6 +56,7 @@ public:
 
     /// Most contacts are those of closed bodies that stand on something, and an eye outside of a body never sees its inner sides. So
     /// this asks, of a side of a triangle: may an eye see another triangle in its place? From within a body it may see any.
+    /// `isFront`: counter-clockwise as the triangle lies in the world, other than everywhere else here: asked for each pixel.
     [[nodiscard]] bool mayShowAnother(std::uint32_t triangle, bool isFront, bool eyeIsWithin) const {
         const std::uint8_t flags = flagsOf(triangle);
         return eyeIsWithin ? flags != 0 : (flags & (isFront ? front : back)) != 0;
@@ -64,21 +65,40 @@ public:
     [[nodiscard]] bool mayAnyShowAnother() const { return anyShown_; }
     /// Is the place within the box of a closed body that has contacts?
     [[nodiscard]] bool isWithinBody(const dvec3& positionWorld) const;
+    /// Within an object: does the triangle belong to the outer of two closed skins at one place (outward_shells.h)?
+    [[nodiscard]] bool isInOuterSkin(const Object& object, std::uint32_t triangle) const {
+        const std::vector<bool>& outer = withinMeshes_.at(object.mesh)->inOuterSkin;
+        return !outer.empty() && outer[triangle];
+    }
     /// Is that side of the triangle the inner one of a closed body?
     [[nodiscard]] static bool isInner(const Scene& scene, const Object& object, bool isFront);
 
-    /// Of a triangle that touches another one. `isFront`: its counter-clockwise side, as the mesh has it.
-    [[nodiscard]] SideRank rank(std::uint32_t triangle, bool isFront) const;
+    /// A triangle that coincides with another one.
+    struct Triangle {
+        std::uint32_t number;            ///< through all objects
+        std::uint32_t object, inObject;  ///< which object's, and its number there
+        std::uint32_t place;             ///< rule 3
+        int rankOfFront, rankOfBack;     ///< rules 1 and 2
+    };
+    /// All of them, by number.
+    [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
+    /// One of them.
+    [[nodiscard]] const Triangle& triangle(std::uint32_t number) const;
+    /// `isFront`: its counter-clockwise side, as the mesh has it.
+    [[nodiscard]] SideRank rank(std::uint32_t number, bool isFront) const {
+        const Triangle& one = triangle(number);
+        return {isFront ? one.rankOfFront : one.rankOfBack, one.place};
+    }
 
 private:
-    enum Flag : std::uint8_t { together = 1, front = 2, back = 4, uneven = 8 };
+    enum Flag : std::uint8_t { together = 1, front = 2, back = 4, uneven = 8 }; ///< front and back as they lie in the world
     [[nodiscard]] std::uint8_t flagsOf(std::uint32_t triangle) const { return flags_.empty() ? 0 : flags_[triangle]; }
 
     void findWithinMeshes(const Scene& scene, const CoincidentFaces* before);
     void findBetweenObjects(const Scene& scene, const CoincidentFaces* before);
     void numberPairs(const Scene& scene);
+    void listTriangles(const Scene& scene, std::span<const std::uint32_t> firstOfObject);
     void flagTriangles(const Scene& scene);
-    void rankTriangles(const Scene& scene);
 
     /// Triangles within their objects.
     struct Found {
@@ -87,6 +107,10 @@ private:
         double gap;
     };
     using Founds = std::shared_ptr<const std::vector<Found>>;
+    struct WithinMesh {
+        std::vector<Found> found;
+        std::vector<bool> inOuterSkin; ///< of each triangle; empty: no skin lies at the place of another
+    };
     struct Standing { ///< an object, as far as its contacts depend on it
         std::shared_ptr<const Mesh> mesh;
         dmat4 worldFromObject;
@@ -96,16 +120,12 @@ private:
         Standing first, second;
         Founds found;
     };
-    std::map<std::shared_ptr<const Mesh>, Founds> withinMeshes_;
+    std::map<std::shared_ptr<const Mesh>, std::shared_ptr<const WithinMesh>> withinMeshes_;
     std::map<std::pair<std::size_t, std::size_t>, BetweenObjects> betweenObjects_; ///< by the numbers of the objects
 
-    struct Ranked {
-        std::uint32_t triangle, place;
-        int rankOfFront, rankOfBack;
-    };
     std::vector<Pair> pairs_;
-    std::vector<std::uint8_t> flags_; ///< per triangle; empty: none
-    std::vector<Ranked> ranked_;      ///< those with flags, in order
+    std::vector<Triangle> triangles_;
+    std::vector<std::uint8_t> flags_; ///< per triangle of the scene; empty: none
     std::vector<Bounds> bodies_;      ///< closed ones with contacts
     bool anyUneven_ = false, anyShown_ = false;
     Revisions revisions_;

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "techniques/foundation/scene/model/holes.h"
-#include "techniques/foundation/scene/query/coincident/outward_shells.h"
 #include "techniques/foundation/scene/query/coincident/placed_triangle.h"
 
 namespace shadowlab::scene {
@@ -76,7 +75,6 @@ public:
 private:
     struct Entry {
         PlacedTriangle placed;
-        std::uint32_t inObject = 0;
         const Object* object = nullptr;
         bool coversWhole = true; ///< no holes
         SeenSide sides[2];       ///< back, front
@@ -95,7 +93,7 @@ private:
         return CoincidentFaces::isInner(scene_, *entries_.at(side.triangle).object, side.isFront);
     }
     void hide(const Side& side);
-    void findWithin(std::uint32_t first, const Object& object);
+    void findWithin(const CoincidentFaces::Triangle& triangle);
     void lift(const Side& side);
     [[nodiscard]] bool mayShade(const Side& under, const Side& side) const;
     [[nodiscard]] bool areTwins(const Side& a, const Side& b) const;
@@ -106,14 +104,12 @@ private:
 };
 
 Layers::Layers(const Scene& scene, const CoincidentFaces& faces) : scene_(scene), faces_(faces) {
-    std::uint32_t first = 0;
-    for (const Object& object : scene.objects) {
-        const TrianglePlacer place(object);
-        const bool holed = hasHoles(scene, object);
-        for (std::uint32_t t = 0; t < object.mesh->triangles.size(); ++t)
-            if (faces.touches(first + t))
-                entries_[first + t] = {place(t), t, &object, !(holed && maskOfPart(scene, object, partOf(*object.mesh, t))), {}};
-        first += static_cast<std::uint32_t>(object.mesh->triangles.size());
+    std::map<std::uint32_t, TrianglePlacer> placers; // by object
+    for (const CoincidentFaces::Triangle& triangle : faces.triangles()) {
+        const Object& object = scene.objects[triangle.object];
+        const TrianglePlacer& place = placers.try_emplace(triangle.object, object).first->second;
+        const bool isHoled = hasHoles(scene, object) && maskOfPart(scene, object, partOf(*object.mesh, triangle.inObject));
+        entries_[triangle.number] = {place(triangle.inObject), &object, !isHoled, {}};
     }
     std::vector<Side> sides;
     for (const auto& [triangle, entry] : entries_) {
@@ -125,11 +121,8 @@ Layers::Layers(const Scene& scene, const CoincidentFaces& faces) : scene_(scene)
         hide(side);
     for (const Side& side : sides)
         lift(side);
-    first = 0;
-    for (const Object& object : scene.objects) {
-        if (!hasHoles(scene, object)) findWithin(first, object);
-        first += static_cast<std::uint32_t>(object.mesh->triangles.size());
-    }
+    for (const CoincidentFaces::Triangle& triangle : faces.triangles())
+        if (!hasHoles(scene, scene.objects[triangle.object])) findWithin(triangle);
 }
 
 void Layers::hide(const Side& side) {
@@ -143,20 +136,15 @@ void Layers::hide(const Side& side) {
 
 /// The inner skin of a body that is written twice. The depths of the two sides of an edge at which the body turns away from the eye are
 /// equal, but for rounding, so without this a few pixels along it would show the inside.
-void Layers::findWithin(std::uint32_t first, const Object& object) {
-    const std::uint32_t end = first + static_cast<std::uint32_t>(object.mesh->triangles.size());
-    const auto begin = entries_.lower_bound(first), behind = entries_.lower_bound(end);
-    const auto isOfThis = [&](const CoincidentFaces::Pair& pair) { return !pair.faceAlike && pair.other >= first && pair.other < end; };
-    if (std::none_of(begin, behind, [&](const auto& entry) { return std::ranges::any_of(faces_.of(entry.first), isOfThis); })) return;
-    const std::vector<bool> outward = inOutwardShell(*object.mesh, [&](std::uint32_t a, std::uint32_t b) {
-        return faces_.areTogether(first + a, first + b);
-    });
-    for (auto entry = begin; entry != behind; ++entry) {
-        std::vector<const PlacedTriangle*> skin;
-        for (const CoincidentFaces::Pair& pair : faces_.of(entry->first))
-            if (isOfThis(pair) && outward[pair.other - first]) skin.push_back(&entries_.at(pair.other).placed);
-        entry->second.sides[1].isWithin = isCovered(entry->second.placed, skin);
+void Layers::findWithin(const CoincidentFaces::Triangle& triangle) {
+    std::vector<const PlacedTriangle*> skin;
+    for (const CoincidentFaces::Pair& pair : faces_.of(triangle.number)) {
+        const CoincidentFaces::Triangle& other = faces_.triangle(pair.other);
+        if (!pair.faceAlike && other.object == triangle.object && faces_.isInOuterSkin(scene_.objects[other.object], other.inObject))
+            skin.push_back(&entries_.at(pair.other).placed);
     }
+    Entry& entry = entries_.at(triangle.number);
+    if (!skin.empty()) entry.sides[1].isWithin = isCovered(entry.placed, skin);
 }
 
 /// Could the shadow volume of the lower one begin in front of this side by rounding, and put it in shadow? Every triangle that casts has a
