@@ -3,16 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 #include <span>
 #include <unordered_map>
 
 #include "techniques/foundation/scene/gltf/load_gltf.h"
+#include "techniques/foundation/scene/load/scene_file.h"
 #include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/model/object_pieces.h"
 #include "techniques/foundation/scene/model/surface_color.h"
-#include "techniques/foundation/scene/obj/outliers.h"
+#include "techniques/foundation/scene/obj/common_vertices.h"
 #include "techniques/foundation/scene/query/topology/outward_parts.h"
 #include "techniques/registry.h"
 
@@ -24,56 +24,24 @@ double largest(const dvec3& size) { return glm::max(size.x, glm::max(size.y, siz
 
 dvec3 sizeOf(const scene::Bounds& bounds) { return bounds.isEmpty() ? dvec3(0.0) : bounds.upperWorld - bounds.lowerWorld; }
 
-using Pieces = std::vector<std::shared_ptr<const scene::Mesh>>;
+using Pieces = scene::CommonVertices::Pieces;
 
-/// Which vertices of a mesh are no outliers, and how large a thing they are.
-class CommonVertices {
-public:
-    explicit CommonVertices(const Pieces& pieces) : pieces_(pieces) {
-        if (pieces.front()->outlierCount == 0) return;
-        std::vector<dvec3> all;
-        for (const auto& piece : pieces)
-            for (const vec3& positionMesh : piece->positionsMesh)
-                all.push_back(piece->originObject + dvec3(positionMesh));
-        place_.emplace(all.size(), [&](std::size_t i) { return all[i]; });
-    }
-    [[nodiscard]] scene::Bounds bounds(const dmat4& worldFromObject) const {
-        scene::Bounds bounds;
-        each([&](const dvec3& positionObject, const vec3&) { bounds.include(transformPoint(worldFromObject, positionObject)); });
-        return bounds;
-    }
-    /// A float of 24 bits is followed by the next one 2^-23 of its leading power of two later.
-    [[nodiscard]] double largestStep() const {
-        float largest = 0;
-        each([&](const dvec3&, const vec3& positionMesh) {
-            for (int axis = 0; axis < 3; ++axis)
-                largest = std::max(largest, std::abs(positionMesh[axis]));
-        });
-        return largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - 23) : 0.0;
-    }
-
-private:
-    template <typename Take>
-    void each(const Take& take) const {
-        for (const auto& piece : pieces_)
-            for (const vec3& positionMesh : piece->positionsMesh)
-                if (const dvec3 positionObject = piece->originObject + dvec3(positionMesh); !place_ || !place_->isFar(positionObject))
-                    take(positionObject, positionMesh);
-    }
-    const Pieces& pieces_;
-    std::optional<scene::CommonPlace> place_;
-};
+/// A float of 24 bits is followed by the next one 2^-23 of its leading power of two later.
+double largestStep(const scene::CommonVertices& vertices) {
+    float largest = 0;
+    vertices.each([&](const dvec3&, const vec3& positionMesh) {
+        for (int axis = 0; axis < 3; ++axis)
+            largest = std::max(largest, std::abs(positionMesh[axis]));
+    });
+    return largest > 0 ? std::ldexp(1.0, std::ilogb(largest) - 23) : 0.0;
+}
 
 /// Adds what is found of one more piece to what was found of others; `edges` gets the lengths of its edges.
 void addPiece(scene::MeshReport& report, const scene::Mesh& mesh, std::vector<double>& edges) {
     const scene::MeshTopology topology = scene::buildTopology(mesh);
     const scene::MeshReport more = scene::reportMesh(mesh, topology);
-    using Count = std::uint64_t scene::MeshReport::*;
-    using Report = scene::MeshReport;
-    for (const Count count : {&Report::triangles, &Report::droppedTriangles, &Report::duplicateTriangles, &Report::vertices,
-                              &Report::weldedVertices, &Report::edges, &Report::boundaryEdges, &Report::multipleEdges,
-                              &Report::inconsistentEdges, &Report::components})
-        report.*count += more.*count;
+    for (const MeshCount& count : kMeshCounts)
+        report.*count.value += more.*count.value;
     for (const scene::Edge& edge : topology.edges)
         edges.push_back(glm::length(dvec3(mesh.positionsMesh[edge.a]) - dvec3(mesh.positionsMesh[edge.b])));
 }
@@ -103,9 +71,9 @@ InspectedMesh inspectMesh(const std::string& name, const Pieces& pieces) {
         bounds.include(scene::boundsWorld(unmoved));
     }
     inspected.sizeMetres = sizeOf(bounds);
-    const CommonVertices common(pieces);
+    const scene::CommonVertices common(pieces);
     inspected.sizeWithoutOutliers = pieces.front()->outlierCount > 0 ? sizeOf(common.bounds(dmat4(1.0))) : inspected.sizeMetres;
-    inspected.stepMetres = common.largestStep();
+    inspected.stepMetres = largestStep(common);
     return inspected;
 }
 
@@ -124,7 +92,7 @@ void addObjects(Inspection& inspection, const scene::Scene& scene) {
         mesh.objects.push_back(object.name);
         for (auto [piece, end] = scene::piecesOf(scene, o); piece < end; ++piece)
             mesh.report.hasHoles |= scene::hasHoles(scene, scene.objects[piece]);
-        mesh.largestInWorld = glm::max(mesh.largestInWorld, largest(sizeOf(CommonVertices(pieces).bounds(object.worldFromObject))));
+        mesh.largestInWorld = glm::max(mesh.largestInWorld, largest(sizeOf(scene::CommonVertices(pieces).bounds(object.worldFromObject))));
         mesh.scale = scaleOf(mesh.largestInWorld);
     }
 }
@@ -142,6 +110,7 @@ SceneContent contentOf(const scene::Scene& scene) {
         content.lights[std::string(toText(type))] = 0;
     for (const scene::Viewpoint& viewpoint : scene.viewpoints)
         content.views.push_back(viewpoint.name);
+    content.cameras = 1 + content.views.size();
     for (const scene::Light& light : scene.lights)
         ++content.lights[std::string(toText(light.type))];
     return content;
@@ -223,13 +192,6 @@ std::vector<InspectedEmitter> emittersAmong(const std::vector<scene::Material>& 
     return emitters;
 }
 
-bool isMeshFile(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    for (char& c : ending)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return ending == ".obj";
-}
-
 } // namespace
 
 Inspection inspectFile(const std::string& file, const scene::LoadOptions& loading) {
@@ -238,7 +200,8 @@ Inspection inspectFile(const std::string& file, const scene::LoadOptions& loadin
     std::vector<scene::Material> materials;
     std::set<std::string> withColors;
     std::size_t lampMaterials = 0;
-    if (isMeshFile(file)) { // itself, not staged: floor and light are not its own
+    const scene::FileKind kind = scene::fileKind(file);
+    if (kind == scene::FileKind::obj) { // itself, not staged: floor and light are not its own
         scene::ObjFile obj = scene::loadObj(file, loading.normals.value_or(scene::NormalMode::file), loading);
         inspection.kind = "mesh";
         inspection.name = std::filesystem::path(file).stem().string();
@@ -250,7 +213,7 @@ Inspection inspectFile(const std::string& file, const scene::LoadOptions& loadin
         const scene::Scene unstaged = alone(inspection.name, std::move(obj));
         inspection.coinciding = coinciding(unstaged);
         addObjects(inspection, unstaged);
-    } else if (scene::isGltfFile(file)) {
+    } else if (kind == scene::FileKind::gltf) {
         scene::GltfFile gltf = scene::loadGltf(file, loading.normals.value_or(scene::NormalMode::file), loading);
         inspection.kind = "gltf";
         inspection.name = std::filesystem::path(file).stem().string();
@@ -259,6 +222,7 @@ Inspection inspectFile(const std::string& file, const scene::LoadOptions& loadin
         materials = gltf.materials;
         const scene::Scene scene = alone(std::move(gltf));
         inspection.scene = contentOf(scene);
+        inspection.scene->cameras = inspection.scene->views.size(); // all of them are views
         inspection.scene->nodes = nodes;
         inspection.scene->images = images;
         withColors = coloredByVertices(scene);

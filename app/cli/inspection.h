@@ -1,6 +1,7 @@
 // What `inspect` finds out about a mesh file or a scene, as plain values. Needs no OpenGL.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -19,6 +20,30 @@ namespace shadowlab::cli {
 /// Is a mesh, as it stands in the world, of a size that metres are made for?
 enum class Scale { ordinary, tiny, huge };
 constexpr double kTinyMetres = 1e-3, kHugeMetres = 1e4; ///< largest extent
+
+/// One count of a mesh, as it is called: in JSON, as a line, as a column, and what it is.
+struct MeshCount {
+    const char *key, *line, *column, *meaning;
+    std::uint64_t scene::MeshReport::*value;
+};
+
+inline constexpr std::array kMeshCounts{
+    MeshCount{"triangles", "triangles", "triangles", "", &scene::MeshReport::triangles},
+    MeshCount{"degenerateTriangles", "  degenerate", "degenerate", "without area, left out when the file was read",
+          &scene::MeshReport::droppedTriangles},
+    MeshCount{"duplicateTriangles", "  duplicate", "duplicate", "with the same three corners as an earlier one",
+          &scene::MeshReport::duplicateTriangles},
+    MeshCount{"vertices", "vertices", "vertices", "in the buffers: one for each position, normal and texture coordinate",
+          &scene::MeshReport::vertices},
+    MeshCount{"weldedVertices", "  welded", "welded", "positions that differ", &scene::MeshReport::weldedVertices},
+    MeshCount{"edges", "edges", "edges", "between welded vertices", &scene::MeshReport::edges},
+    MeshCount{"boundaryEdges", "  boundary", "boundary", "of one face: the mesh is open there",
+          &scene::MeshReport::boundaryEdges},
+    MeshCount{"multipleEdges", "  multiple", "multiple", "of more than two faces", &scene::MeshReport::multipleEdges},
+    MeshCount{"inconsistentEdges", "  inconsistent", "inconsistent", "of two faces with opposite windings",
+          &scene::MeshReport::inconsistentEdges},
+    MeshCount{"components", "components", "components", "pieces that hang together by edges",
+          &scene::MeshReport::components}};
 
 struct InspectedMesh {
     std::string name;                 ///< the file's, or of the first object that shows it
@@ -49,6 +74,7 @@ struct MaterialLook {
 struct SceneContent {
     std::size_t objects = 0;                  ///< surfaces of lights are not counted
     std::map<std::string, int> lights;        ///< how many of each type
+    std::size_t cameras = 1;                  ///< views included
     std::vector<std::string> views;           ///< names of cameras to choose from, by --view
     std::size_t nodes = 0, images = 0;        ///< of a glTF file
     std::vector<std::string> castNoShadow;    ///< names of objects

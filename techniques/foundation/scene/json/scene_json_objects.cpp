@@ -6,27 +6,20 @@
 #include <span>
 
 #include "techniques/foundation/base/nearest_names.h"
-#include "techniques/foundation/scene/gltf/load_gltf.h"
-#include "techniques/foundation/scene/json/scene_json.h"
+#include "techniques/foundation/scene/json/scene_json_mesh_files.h"
 #include "techniques/foundation/scene/load/message_text.h"
 #include "techniques/foundation/scene/model/holes.h"
-#include "techniques/foundation/scene/model/surface_color.h"
 #include "techniques/foundation/scene/query/topology/outward_parts.h"
 
 namespace shadowlab::scene {
 
 namespace {
 
-constexpr std::uint32_t kWhite = 0; ///< index of the default material
-
 class ObjectReader {
 public:
-    explicit ObjectReader(const SceneReading& reading) : reading_(reading), limits_(reading.options.limits) {
-        for (const Material& material : reading.scene.materials)
-            countTexels(material);
+    explicit ObjectReader(const SceneReading& reading) : reading_(reading), files_(reading) {
         for (std::uint32_t i = 0; i < reading.scene.materials.size(); ++i)
-            materialIndex_[reading.scene.materials[i].name] = i;
-        sceneMaterials_ = materialIndex_;
+            sceneMaterials_[reading.scene.materials[i].name] = i;
     }
 
     /// Counts the triangles of all shapes before the first is built. Faulty shapes are skipped; read() reports them.
@@ -34,42 +27,19 @@ public:
     void read(const JsonValue& value, const std::string& what);
 
 private:
-    struct LoadedPiece {
-        std::shared_ptr<const Mesh> mesh;
-        std::vector<std::uint32_t> partMaterials;
-    };
-    struct LoadedMesh {
-        std::vector<LoadedPiece> pieces; ///< mostly one
-        std::string shape;          ///< ShapeRequest::id
-        std::filesystem::path file; ///< canonical
-        std::string node{};         ///< of a glTF file with several: the one that shows it
-        dmat4 objectFromNode{1.0};
-    };
-
     JsonObject checkedKeys(const JsonValue& value, const std::string& what) const;
     std::vector<LoadedMesh> meshesOf(const JsonObject& keys);
-    std::vector<LoadedMesh> loadedFile(const JsonObject& keys, NormalMode mode);
-    LoadedPiece loadedPiece(const std::filesystem::path& canonical, const ObjFile& file, const MaterialsByName& known, Mesh mesh);
-    std::vector<LoadedMesh> loadedObj(const ReferredFile& file, NormalMode mode, const LoadOptions& options);
-    std::vector<LoadedMesh> loadedGltf(const ReferredFile& file, NormalMode mode, const LoadOptions& options);
-    void addNotes(std::vector<std::string> notes);
     void add(const JsonObject& keys, LoadedMesh loaded, const std::string& name);
     LoadedMesh shape(const JsonObject& keys, NormalMode mode);
-    std::uint32_t materialOfFile(const std::filesystem::path& canonical, const Material& fromFile);
     std::uint32_t materialIndex(const JsonObject& keys) const;
     dvec3 scaleOf(const JsonObject& keys) const;
     void checkTriangles(const JsonObject& keys, std::uint64_t more) const;
-    void countTexels(const Material& material);
     std::string uniqueName(const std::string& wish);
 
     const SceneReading& reading_;
-    Limits limits_;                                       ///< with the texels of all images so far
-    std::set<const void*> counted_;                       ///< masks and colour images; materials may share one
-    std::map<std::string, std::uint32_t> materialIndex_;  ///< all of the scene so far
+    MeshFiles files_;
     std::map<std::string, std::uint32_t> sceneMaterials_; ///< those of the scene file, which `material` may name
     std::map<std::pair<std::string, NormalMode>, std::shared_ptr<const Mesh>> shapes_; ///< by ShapeRequest::id
-    std::map<std::pair<std::string, NormalMode>, std::vector<LoadedMesh>> files_;      ///< by canonical path
-    std::map<std::pair<std::string, std::string>, std::uint32_t> materialOfFile_; ///< by canonical path and MTL name
     std::set<std::string> names_;
     std::map<std::string, int> lastNumber_; ///< of the names made up for unnamed objects: box, box2, box3 ...
     std::uint64_t triangles_ = 0;
@@ -124,21 +94,13 @@ void ObjectReader::checkTriangles(const JsonObject& keys, std::uint64_t more) co
                                    "; simplify or remove objects, or set --limit " + limit + "=VALUE",
                                ExitStatus::overLimit);
     };
-    if (triangles > limits_.triangles)
-        refuse("more than the limit of " + std::to_string(limits_.triangles), "triangles");
-    if (const std::uint64_t needed = memoryForTriangles(triangles, limits_); needed > limits_.memoryBytes)
-        refuse("for which " + beyondMemory(needed, limits_.memoryBytes), "memory");
+    if (triangles > files_.limits().triangles)
+        refuse("more than the limit of " + std::to_string(files_.limits().triangles), "triangles");
+    if (const std::uint64_t needed = memoryForTriangles(triangles, files_.limits()); needed > files_.limits().memoryBytes)
+        refuse("for which " + beyondMemory(needed, files_.limits().memoryBytes), "memory");
 }
 
-void ObjectReader::countTexels(const Material& material) {
-    const auto count = [&](const void* image, ivec2 size) {
-        if (counted_.insert(image).second) limits_.texels += static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
-    };
-    if (material.alphaMask) count(material.alphaMask.get(), material.alphaMask->size());
-    if (material.colorImage) count(material.colorImage.get(), material.colorImage->size());
-}
-
-ObjectReader::LoadedMesh ObjectReader::shape(const JsonObject& keys, NormalMode mode) {
+LoadedMesh ObjectReader::shape(const JsonObject& keys, NormalMode mode) {
     const ShapeRequest request = readShape(reading_, keys);
     checkTriangles(keys, request.triangles); // before anything is built
     std::shared_ptr<const Mesh>& mesh = shapes_[{request.id, mode}];
@@ -161,97 +123,7 @@ void ObjectReader::countShapes(std::span<const JsonValue> values) {
     triangles_ = 0;
 }
 
-/// Index of a material that a mesh file defines, added to the scene on first use. If the name is taken, the mesh file's
-/// name is added to it.
-std::uint32_t ObjectReader::materialOfFile(const std::filesystem::path& canonical, const Material& fromFile) {
-    const std::string& name = fromFile.name;
-    const auto [entry, isNew] = materialOfFile_.try_emplace({canonical.string(), name}, 0);
-    if (!isNew) return entry->second;
-    Material material = fromFile;
-    material.ofMesh = true;
-    for (int attempt = 1; materialIndex_.contains(material.name); ++attempt)
-        material.name = name + " (" + canonical.stem().string() +
-                        (attempt == 1 ? std::string() : " no. " + std::to_string(attempt)) + ")";
-    entry->second = static_cast<std::uint32_t>(reading_.scene.materials.size());
-    materialIndex_[material.name] = entry->second;
-    countTexels(material);
-    reading_.scene.materials.push_back(std::move(material));
-    return entry->second;
-}
-
-void ObjectReader::addNotes(std::vector<std::string> more) {
-    std::vector<std::string>& notes = reading_.scene.notes;
-    for (std::string& note : more)
-        if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
-}
-
-ObjectReader::LoadedPiece ObjectReader::loadedPiece(const std::filesystem::path& canonical, const ObjFile& file,
-                                                    const MaterialsByName& known, Mesh mesh) {
-    LoadedPiece piece;
-    for (const MeshPart& part : mesh.parts) {
-        const auto found = part.materialName.empty() ? known.end() : known.find(part.materialName);
-        piece.partMaterials.push_back(found == known.end() ? kWhite : materialOfFile(canonical, file.materials[found->second]));
-    }
-    piece.mesh = sharedMesh(std::move(mesh));
-    return piece;
-}
-
-std::vector<ObjectReader::LoadedMesh> ObjectReader::loadedObj(const ReferredFile& file, NormalMode mode, const LoadOptions& options) {
-    ObjFile obj = loadObj(file.path, mode, options);
-    LoadedMesh loaded;
-    const MaterialsByName known = materialsByName(obj.materials);
-    loaded.pieces.push_back(loadedPiece(file.canonical, obj, known, std::move(obj.mesh)));
-    for (Mesh& piece : obj.furtherPieces)
-        loaded.pieces.push_back(loadedPiece(file.canonical, obj, known, std::move(piece)));
-    loaded.file = file.canonical;
-    addNotes(std::move(obj.notes));
-    return {loaded};
-}
-
-/// Its lights and cameras stay out: a scene file says itself how it is lit and seen.
-std::vector<ObjectReader::LoadedMesh> ObjectReader::loadedGltf(const ReferredFile& file, NormalMode mode, const LoadOptions& options) {
-    GltfFile gltf = loadGltf(file.path, mode, options);
-    std::vector<LoadedMesh> loaded;
-    for (GltfObject& object : gltf.objects) {
-        LoadedMesh& mesh = loaded.emplace_back();
-        LoadedPiece& whole = mesh.pieces.emplace_back();
-        for (const std::uint32_t material : object.partMaterials)
-            whole.partMaterials.push_back(
-                material == GltfObject::kNoMaterial ? kWhite : materialOfFile(file.canonical, gltf.materials[material]));
-        whole.mesh = std::move(object.mesh);
-        mesh.file = file.canonical;
-        mesh.node = object.name;
-        mesh.objectFromNode = object.worldFromNode;
-    }
-    if (!gltf.lights.empty() || !gltf.viewpoints.empty())
-        gltf.notes.push_back(shownPath(file.path) + ": " + counted(gltf.lights.size(), "light") + " and " +
-                             counted(gltf.viewpoints.size(), "camera") +
-                             " of the file are left out, because the scene has its own; write them there if they are wanted");
-    addNotes(std::move(gltf.notes));
-    return loaded;
-}
-
-std::vector<ObjectReader::LoadedMesh> ObjectReader::loadedFile(const JsonObject& keys, NormalMode mode) {
-    const ReferredFile file = readReference(reading_, keys, "mesh");
-    const auto [entry, isNew] = files_.try_emplace({file.canonical.string(), mode});
-    if (isNew) {
-        LoadOptions options = reading_.options; // the mesh's own references may use the scene's folder too
-        options.limits = limits_;
-        options.allowed.push_back(reading_.file.parent_path().empty() ? "." : reading_.file.parent_path());
-        entry->second = isGltfFile(file.path) ? loadedGltf(file, mode, options) : loadedObj(file, mode, options);
-    }
-    if (!keys.find("node")) return entry->second;
-    const std::string node = keys.text("node");
-    std::vector<std::string> names;
-    for (const LoadedMesh& loaded : entry->second) {
-        if (!loaded.node.empty() && loaded.node == node) return {loaded};
-        names.push_back(loaded.node);
-    }
-    keys.fail("node", "is " + inQuotes(node) + ", which is no node of that file with a mesh; " +
-                          (names.front().empty() ? "only glTF files have nodes: leave it out" : suggestion(node, names)));
-}
-
-std::vector<ObjectReader::LoadedMesh> ObjectReader::meshesOf(const JsonObject& keys) {
+std::vector<LoadedMesh> ObjectReader::meshesOf(const JsonObject& keys) {
     NormalMode mode = NormalMode::file; // for a shape: as it is built, smooth or flat
     if (keys.find("normals")) {
         const std::string text = keys.text("normals");
@@ -260,7 +132,7 @@ std::vector<ObjectReader::LoadedMesh> ObjectReader::meshesOf(const JsonObject& k
         if (found == modes.end()) keys.fail("normals", "is " + inQuotes(text) + "; " + suggestion(text, modes));
         mode = static_cast<NormalMode>(found - modes.begin());
     }
-    std::vector<LoadedMesh> meshes = keys.find("mesh") ? loadedFile(keys, mode) : std::vector{shape(keys, mode)};
+    std::vector<LoadedMesh> meshes = keys.find("mesh") ? files_.named(keys, mode) : std::vector{shape(keys, mode)};
     if (!keys.find("material")) return meshes;
     const Material& material = reading_.scene.materials[materialIndex(keys)];
     for (LoadedMesh& loaded : meshes)
@@ -315,8 +187,8 @@ void ObjectReader::read(const JsonValue& value, const std::string& what) {
         add(keys, std::move(meshes.front()), name);
         return;
     }
-    if (reading_.scene.objects.size() + meshes.size() > limits_.objects)
-        reading_.document.fail(value.offset, keys.what() + " brings the scene beyond the limit of " + std::to_string(limits_.objects) +
+    if (reading_.scene.objects.size() + meshes.size() > files_.limits().objects)
+        reading_.document.fail(value.offset, keys.what() + " brings the scene beyond the limit of " + std::to_string(files_.limits().objects) +
                                                  " objects; remove some, or set --limit objects=VALUE", ExitStatus::overLimit);
     const std::string before = keys.find("name") ? keys.text("name") + " " : "";
     for (LoadedMesh& loaded : meshes) {
