@@ -14,6 +14,9 @@ struct PictureFile {
     bool hasAlpha = false; ///< the file has an alpha channel; else alpha is 255 everywhere
 };
 
+/// The name of a format, common among textures, that is not read here: BMP, WebP, KTX2 and others; empty: none of these.
+std::string_view otherFormat(std::string_view bytes);
+
 /// Reads only the header. Throws Error (badInput, overLimit), as pictureFrom does.
 PngSize pictureSize(std::span<const std::uint8_t> bytes, std::string_view name, const PngLimits& limits);
 

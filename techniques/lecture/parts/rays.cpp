@@ -82,6 +82,10 @@ bool descend(const Ray& ray, const dvec3& inverseU, const BoundingVolume& volume
     return descend(ray, inverseU, near, tries) || descend(ray, inverseU, far, tries);
 }
 
+bool isCounterClockwise(const Triangle& t, const Ray& ray) {
+    return glm::dot(glm::cross(t.bWorld - t.aWorld, t.cWorld - t.aWorld), ray.u) < 0;
+}
+
 } // namespace
 
 std::optional<Surface> RayScene::firstSurface(const Ray& ray) const {
@@ -101,7 +105,9 @@ std::optional<Surface> RayScene::firstSurface(const Ray& ray) const {
 /// Faces may coincide: of those at one place one is seen (scene/query/coincident/coincident_faces.h).
 Hit RayScene::seenInPlaceOf(const Hit& nearest, const Ray& ray) const {
     const Triangle& first = *nearest.triangle;
-    if (!coincident_->mayShowAnother(first.number, isFront(first, ray), coincident_->isWithinBody(ray.startWorld))) return nearest;
+    if (!coincident_->touches(first.number)) return nearest;
+    const bool isWithin = coincident_->isWithinBody(ray.startWorld);
+    if (!coincident_->mayShowAnother(first.number, isCounterClockwise(first, ray), isWithin)) return nearest;
     Hit seen = nearest, hit;
     descend(ray, 1.0 / ray.u, *all_, [&](const Triangle* t) {
         if (coincident_->areTogether(first.number, t->number) && rankOf(*seen.triangle, ray) < rankOf(*t, ray) && !isLeft(*t, ray) &&
@@ -116,13 +122,13 @@ scene::SideRank RayScene::rankOf(const Triangle& t, const Ray& ray) const { retu
 
 /// Does the ray begin on the triangle, or on one in the same plane, but for rounding?
 bool RayScene::isLeft(const Triangle& t, const Ray& ray) const {
-    return &t == ray.leaves || (ray.leaves && coincident_->isUneven(t.number) && coincident_->areTogether(ray.leaves->number, t.number));
+    if (&t == ray.leaves) return true;
+    return ray.leaves && coincident_->isUneven(t.number) && coincident_->areTogether(ray.leaves->number, t.number);
 }
 
-/// Does the ray see the side with the corners counter-clockwise?
+/// Does the ray see the side with the corners counter-clockwise? Of an object that is mirrored, the mesh has them the other way round.
 bool RayScene::isFront(const Triangle& t, const Ray& ray) const {
-    const dvec3 frontWorld = glm::cross(t.bWorld - t.aWorld, t.cWorld - t.aWorld);
-    return (glm::dot(frontWorld, ray.u) < 0) != scene::isMirrored(objectOf(t));
+    return isCounterClockwise(t, ray) != scene::isMirrored(objectOf(t));
 }
 
 bool RayScene::isBlocked(const Ray& ray, int light) const {

@@ -6,23 +6,12 @@
 #include <cmath>
 
 #include "techniques/foundation/base/error.h"
+#include "techniques/foundation/image/picture_file.h"
 #include "techniques/foundation/scene/gltf/gltf_uris.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::scene {
-
-namespace {
-
-/// The name of an image format that is common in glTF files and not read here; empty: none of these.
-std::string_view foreignFormat(std::string_view bytes) {
-    if (bytes.starts_with("\xabKTX ")) return "KTX2";
-    if (bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP")) return "WebP";
-    if (bytes.starts_with("DDS ")) return "DDS";
-    return bytes.substr(0, 12).ends_with("ftypavif") ? "AVIF" : "";
-}
-
-} // namespace
 
 GltfTextures::GltfTextures(const std::filesystem::path& file, GltfSource& source, const tinygltf::Model& model,
                            const GltfBuffers& buffers, GltfFiles& files, const LoadOptions& options)
@@ -66,7 +55,7 @@ std::optional<std::filesystem::path> GltfTextures::imagePath(std::size_t image) 
         return found.canonical;
     } else
         return leftOut("it has neither a uri nor a bufferView");
-    if (const std::string_view format = foreignFormat(bytes); !format.empty())
+    if (const std::string_view format = image::otherFormat(bytes); !format.empty())
         return leftOut("it is a " + std::string(format) + " image; only PNG and JPEG are read");
     // No file can have this name: the glTF file stands where a folder would have to be.
     std::string own = name && !name->string.empty() ? name->string : "image " + std::to_string(image);

@@ -12,7 +12,7 @@
 
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/load/message_text.h"
-#include "techniques/foundation/scene/obj/outliers.h"
+#include "techniques/foundation/scene/obj/common_vertices.h"
 #include "techniques/foundation/scene/query/topology/outward_parts.h"
 
 namespace shadowlab::scene {
@@ -144,44 +144,17 @@ std::vector<Material> stageMaterials() {
 
 namespace {
 
-/// Vertices of a piece of the mesh that the stage is made for: all but those that lie far from nearly all others.
-struct FramedVertices {
-    dvec3 originObject{0.0};
-    std::vector<vec3> positionsMesh;
-};
-
-std::vector<FramedVertices> framedVertices(const std::vector<Object>& pieces) {
-    std::vector<FramedVertices> framed;
+/// The vertices that the stage is made for: all but those that lie far from nearly all others.
+CommonVertices framedVertices(const std::vector<Object>& pieces) {
+    CommonVertices::Pieces meshes;
     for (const Object& piece : pieces)
-        framed.push_back({piece.mesh->originObject, piece.mesh->positionsMesh});
-    if (pieces.front().mesh->outlierCount == 0) return framed;
-    std::vector<dvec3> all;
-    for (const FramedVertices& vertices : framed)
-        for (const vec3& positionMesh : vertices.positionsMesh)
-            all.push_back(vertices.originObject + dvec3(positionMesh));
-    const CommonPlace place(all.size(), [&](std::size_t i) { return all[i]; });
-    for (FramedVertices& vertices : framed)
-        std::erase_if(vertices.positionsMesh,
-                      [&](const vec3& positionMesh) { return place.isFar(vertices.originObject + dvec3(positionMesh)); });
-    return framed;
+        meshes.push_back(piece.mesh);
+    return CommonVertices(std::move(meshes));
 }
 
-Bounds boundsOf(const std::vector<FramedVertices>& framed, const dmat4& worldFromObject) {
-    Bounds bounds;
-    for (const FramedVertices& vertices : framed) {
-        dmat4 worldFromMesh = worldFromObject;
-        worldFromMesh[3] = worldFromObject * dvec4(vertices.originObject, 1.0);
-        for (const vec3& positionMesh : vertices.positionsMesh)
-            bounds.include(transformPoint(worldFromMesh, dvec3(positionMesh)));
-    }
-    return bounds;
-}
-
-std::vector<dvec3> pointsOf(const std::vector<FramedVertices>& framed, const dmat4& worldFromObject) {
+std::vector<dvec3> pointsOf(const CommonVertices& vertices, const dmat4& worldFromObject) {
     std::vector<dvec3> pointsWorld;
-    for (const FramedVertices& vertices : framed)
-        for (const vec3& positionMesh : vertices.positionsMesh)
-            pointsWorld.push_back(transformPoint(worldFromObject, vertices.originObject + dvec3(positionMesh)));
+    vertices.each([&](const dvec3& positionObject, const vec3&) { pointsWorld.push_back(transformPoint(worldFromObject, positionObject)); });
     return pointsWorld;
 }
 
@@ -227,14 +200,14 @@ std::shared_ptr<const Scene> stageObj(const std::filesystem::path& file, const L
     scene->notes = std::move(obj.notes);
 
     std::vector<Object> pieces = piecesOf(obj);
-    const std::vector<FramedVertices> framed = framedVertices(pieces);
-    const Bounds bounds = boundsOf(framed, dmat4(1.0));
+    const CommonVertices framed = framedVertices(pieces);
+    const Bounds bounds = framed.bounds(dmat4(1.0));
     for (Object& piece : pieces) {
         piece.source.translateWorld = ontoStage(bounds);
         piece.worldFromObject[3] = dvec4(piece.source.translateWorld, 1.0);
     }
     const dmat4& worldFromObject = pieces.front().worldFromObject;
-    const Stage stage = stageAround(boundsOf(framed, worldFromObject), largestExtent(bounds));
+    const Stage stage = stageAround(framed.bounds(worldFromObject), largestExtent(bounds));
     addMaterials(*scene, pieces, obj.materials);
     std::error_code ignored; // it was read a moment ago
     const std::filesystem::path canonical = std::filesystem::weakly_canonical(file, ignored);
