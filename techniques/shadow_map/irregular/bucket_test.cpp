@@ -81,7 +81,7 @@ bool BucketTest::test(const SeenTriangle& triangle, Bucket& bucket) {
             const int lane = std::bit_width(static_cast<unsigned>(possible)) - 1;
             possible &= ~(1 << lane);
             const unsigned sample = first + static_cast<unsigned>(lane);
-            if (bucket.primitives[sample] == triangle.primitive) continue;
+            if (query_.tracer.isLeft(bucket.primitives[sample], triangle.primitive)) continue; // its own, or one in the same place
             if ((sure >> lane & 1 && !triangle.mayHaveHoles) || isBlocked(bucket, sample, triangle, certain))
                 drop(bucket, sample);
         }
