@@ -46,7 +46,7 @@ private:
         const trace::SurfacePoint point = hits[begin];
         const trace::Triangle& triangle = triangles_[point.primitive];
         const vec3 c(triangle.c - eyeCentred_), ca(triangle.a - triangle.c), cb(triangle.b - triangle.c);
-        const auto [normalA, normalB, normalC] = surfaces_.cornerNormalsWorld(point);
+        const auto [normalA, normalB, normalC] = surfaces_.normals().ofCornersWorld(point);
         const vec3 normalCA = normalA - normalC, normalCB = normalB - normalC;
         const scene::Material& material = surfaces_.materialOf(point);
         const vec3 lightsOff = surfaces_.lightsOff(point);

@@ -5,8 +5,8 @@
 #include <array>
 #include <atomic>
 
+#include "techniques/foundation/trace/blocks.h"
 #include "techniques/foundation/trace/parallel.h"
-#include "techniques/ray_tracing/blocks.h"
 
 namespace shadowlab::ray_tracing {
 
@@ -27,7 +27,7 @@ void forEachPixel(ivec2 size, const Work& work) {
 
 } // namespace
 
-std::size_t Picture::blocks() const { return Blocks{size_, kBlockSide}.count(); }
+std::size_t Picture::blocks() const { return trace::Blocks{size_, kBlockSide}.count(); }
 
 void Picture::restart(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size) {
     size_ = size;
@@ -53,7 +53,7 @@ void Picture::restartLights(const trace::SceneTracer& tracer) {
 /// Clears what is not traced yet, so that nothing of the previous picture is seen there. When all is traced at once there is
 /// nothing to clear.
 void Picture::clearFrom(std::size_t firstBlock) {
-    const Blocks blocks{size_, kBlockSide};
+    const trace::Blocks blocks{size_, kBlockSide};
     for (std::size_t block = firstBlock; block < blocks.count(); ++block) {
         const ivec2 corner = blocks.corner(block), blockSize = blocks.sizeAt(corner);
         for (int y = corner.y; y < corner.y + blockSize.y; ++y) {
@@ -84,7 +84,7 @@ void Picture::traceEyeRays(const trace::SceneTracer& tracer, const trace::EyeRay
 }
 
 bool Picture::trace(const trace::SceneTracer& tracer, const TraceSettings& settings, Deadline deadline) {
-    const Blocks blocks{size_, kBlockSide};
+    const trace::Blocks blocks{size_, kBlockSide};
     const trace::EyeRays rays = tracer.eyeRays(camera_, size_);
     const bool begins = tracedBlocks_ == 0;
     const std::size_t seen = seenBlocks_;
@@ -160,7 +160,7 @@ void Picture::shadeAreaLight(const Surfaces& surfaces, int light, const Grid<flo
 
 bool Picture::traceTrees(const RayWorld& world, const TreeSettings& settings, Deadline deadline) {
     const Surfaces& surfaces = world.surfaces;
-    const Blocks blocks{size_, kBlockSide};
+    const trace::Blocks blocks{size_, kBlockSide};
     if (treeBlocks_ == 0) {
         intensities_ = reflected_ = transmitted_ = Grid<vec3>(points_.size(), vec3(0.0f));
         levels_.assign(points_.size(), 0);

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "techniques/foundation/trace/blocks.h"
 #include "techniques/foundation/trace/parallel.h"
-#include "techniques/ray_tracing/blocks.h"
 #include "techniques/ray_tracing/sampling/light_sampling.h"
 #include "techniques/ray_tracing/tree/node_lights.h"
 
@@ -52,7 +52,7 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
     // Neighbouring points are computed together, in squares.
     constexpr int kSide = 8;
     const ivec2 size = picture.size();
-    const Blocks squares{size, kSide};
+    const trace::Blocks squares{size, kSide};
     const trace::SceneTracer& tracer = surfaces.tracer();
     irradiances_.resize(shares_.size(), 0.0f);
     next_ = trace::parallelUntil(deadline, next_, squares.count(), [&](std::size_t square) {

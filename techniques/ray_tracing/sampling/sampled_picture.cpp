@@ -5,8 +5,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "techniques/foundation/trace/blocks.h"
 #include "techniques/foundation/trace/parallel.h"
-#include "techniques/ray_tracing/blocks.h"
 #include "techniques/ray_tracing/sampling/lobe.h"
 
 namespace shadowlab::ray_tracing {
@@ -56,7 +56,7 @@ bool SampledPicture::advance(const Surfaces& surfaces, const trace::MovingScene&
     // Simplified: the lens is so small that all of it is inside the same solids as its centre.
     const DielectricStack aroundEye = surfaces.mediaAround(rays.eyeCentred());
     const dvec3 background(surfaces.scene().background);
-    const Blocks blocks{size_, kSampledBlock};
+    const trace::Blocks blocks{size_, kSampledBlock};
     std::atomic<std::uint64_t> secondaryRays = 0;
     const auto traceBlock = [&](std::size_t block) {
         const ivec2 corner = blocks.corner(block), end = corner + blocks.sizeAt(corner);

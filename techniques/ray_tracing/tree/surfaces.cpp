@@ -6,7 +6,6 @@
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/scene/model/surface_color.h"
-#include "techniques/foundation/scene/query/normal_transform.h"
 #include "techniques/foundation/scene/query/shading.h"
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
@@ -28,11 +27,8 @@ const dvec3 kAwayFromScene = glm::normalize(dvec3(0.3178, 0.9021, 0.2913));
 
 } // namespace
 
-Surfaces::Surfaces(const trace::SceneTracer& tracer) : tracer_(&tracer) {
+Surfaces::Surfaces(const trace::SceneTracer& tracer) : tracer_(&tracer), normals_(tracer) {
     for (const scene::Object& object : scene().objects) {
-        const dmat3 worldFromObject(object.worldFromObject);
-        normalWorldFromMesh_.push_back(glm::transpose(glm::inverse(worldFromObject)));
-        stretchesNormals_.push_back(scene::stretchesNormals(worldFromObject));
         ownColors_.push_back(scene::hasOwnColors(scene(), object));
         bool transparent = false;
         for (const std::uint32_t index : object.partMaterials) {
@@ -68,45 +64,6 @@ bool Surfaces::emitsHere(const trace::SurfacePoint& point) const {
 // [anchor: shaded-lights-off]
 vec3 Surfaces::lightsOff(const trace::SurfacePoint& point) const {
     return scene().ambient * diffuseOf(point) + emitted(point);
-}
-
-dvec3 Surfaces::normalWorld(const trace::SurfacePoint& point, const dvec3& toViewerWorld) const {
-    const scene::Mesh& mesh = *tracer_->objectOf(point).mesh;
-    const uvec3 corners = mesh.triangles[triangleOf(point)];
-    const dvec3 weights = point.barycentric();
-    if (stretchesNormals_[objectOf(point)]) {
-        const std::array<dvec3, 3> ofCorners = stretchedNormalsWorld(point);
-        const dvec3 normalWorld =
-            glm::normalize(weights.x * ofCorners[0] + weights.y * ofCorners[1] + weights.z * ofCorners[2]);
-        return glm::dot(normalWorld, toViewerWorld) < 0 ? -normalWorld : normalWorld;
-    }
-    const dvec3 normalMesh = weights.x * dvec3(mesh.normalsMesh[corners.x]) +
-                             weights.y * dvec3(mesh.normalsMesh[corners.y]) +
-                             weights.z * dvec3(mesh.normalsMesh[corners.z]);
-    const dvec3 normalWorld = glm::normalize(normalWorldFromMesh_[objectOf(point)] * normalMesh);
-    return glm::dot(normalWorld, toViewerWorld) < 0 ? -normalWorld : normalWorld;
-}
-
-std::array<dvec3, 3> Surfaces::stretchedNormalsWorld(const trace::SurfacePoint& point) const {
-    const scene::Mesh& mesh = *tracer_->objectOf(point).mesh;
-    const uvec3 corners = mesh.triangles[triangleOf(point)];
-    std::array<dvec3, 3> normals;
-    for (int i = 0; i < 3; ++i)
-        normals[static_cast<std::size_t>(i)] =
-            glm::normalize(normalWorldFromMesh_[objectOf(point)] * dvec3(mesh.normalsMesh[corners[i]]));
-    return normals;
-}
-
-std::array<vec3, 3> Surfaces::cornerNormalsWorld(const trace::SurfacePoint& point) const {
-    if (stretchesNormals_[objectOf(point)]) {
-        const std::array<dvec3, 3> normals = stretchedNormalsWorld(point);
-        return {vec3(normals[0]), vec3(normals[1]), vec3(normals[2])};
-    }
-    const scene::Mesh& mesh = *tracer_->objectOf(point).mesh;
-    const uvec3 corners = mesh.triangles[triangleOf(point)];
-    const mat3 normalWorldFromMesh(normalWorldFromMesh_[objectOf(point)]);
-    return {normalWorldFromMesh * mesh.normalsMesh[corners.x], normalWorldFromMesh * mesh.normalsMesh[corners.y],
-            normalWorldFromMesh * mesh.normalsMesh[corners.z]};
 }
 
 dvec3 Surfaces::geometricNormalWorld(const trace::SurfacePoint& point) const {

@@ -1,10 +1,10 @@
 // What shading and optics need at a hit: the material, normals, reflected light, and whether the surface encloses a solid.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <array>
 #include <vector>
 
 #include "techniques/foundation/trace/scene_tracer.h"
+#include "techniques/foundation/trace/shading_normals.h"
 #include "techniques/ray_tracing/tree/dielectric_stack.h"
 
 namespace shadowlab::ray_tracing {
@@ -33,9 +33,10 @@ public:
     /// Radiance toward the viewer with all lights off.
     [[nodiscard]] vec3 lightsOff(const trace::SurfacePoint& point) const;
     /// The shading normal: interpolated between the vertices, turned to the viewer's side.
-    [[nodiscard]] dvec3 normalWorld(const trace::SurfacePoint& point, const dvec3& toViewerWorld) const;
-    /// Of a triangle's corners a, b and c: the normals that normalWorld() interpolates, as long as they come out.
-    [[nodiscard]] std::array<vec3, 3> cornerNormalsWorld(const trace::SurfacePoint& point) const;
+    [[nodiscard]] dvec3 normalWorld(const trace::SurfacePoint& point, const dvec3& toViewerWorld) const {
+        return normals_.towardWorld(toViewerWorld, point);
+    }
+    [[nodiscard]] const trace::ShadingNormals& normals() const { return normals_; }
     /// The triangle's own normal, on the side that the ray came from.
     [[nodiscard]] dvec3 geometricNormalWorld(const trace::SurfacePoint& point) const;
     /// Reflected radiance toward the viewer of an unblocked light; `normalWorld` is normalWorld() there.
@@ -83,15 +84,11 @@ private:
         return point.primitive - tracer_->world().firstOfObject[objectOf(point)];
     }
 
-    /// Unit normals of a triangle's corners, of an object whose scale stretches them.
-    [[nodiscard]] std::array<dvec3, 3> stretchedNormalsWorld(const trace::SurfacePoint& point) const;
-
     const trace::SceneTracer* tracer_;
-    std::vector<std::uint32_t> materials_;   ///< per triangle of the scene
-    std::vector<dmat3> normalWorldFromMesh_; ///< per object
-    std::vector<bool> ownColors_;            ///< per object
-    std::vector<bool> stretchesNormals_;     ///< per object (scene/query/normal_transform.h)
-    std::vector<Outside> outsides_;          ///< per object; determined only for transparent ones
+    trace::ShadingNormals normals_;
+    std::vector<std::uint32_t> materials_; ///< per triangle of the scene
+    std::vector<bool> ownColors_;          ///< per object
+    std::vector<Outside> outsides_;        ///< per object; determined only for transparent ones
     bool anySplits_ = false, anySolid_ = false;
 };
 

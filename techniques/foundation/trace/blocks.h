@@ -7,7 +7,7 @@
 
 #include "techniques/foundation/math/types.h"
 
-namespace shadowlab::ray_tracing {
+namespace shadowlab::trace {
 
 struct Blocks {
     ivec2 size; ///< of the picture, pixels
@@ -23,4 +23,4 @@ struct Blocks {
     [[nodiscard]] ivec2 sizeAt(ivec2 corner) const { return glm::min(ivec2(side), size - corner); }
 };
 
-} // namespace shadowlab::ray_tracing
+} // namespace shadowlab::trace
