@@ -106,6 +106,7 @@ SampledSettings SamplingParams::settings(const TreeSettings& tree, const scene::
     settings.tree.translucency = translucency;
     settings.tree.wholeLobes = wholeLobes;
     settings.tree.interreflection = interreflection;
+    settings.tree.roulette = roulette;
     return settings;
 }
 
@@ -160,8 +161,14 @@ params::ParamList describe(SamplingParams& p) {
                     "Draw a direction of gloss or translucency again if it lies on the wrong side of the surface; "
                     "false: its light is lost, and surfaces look too dark at grazing angles (teaching).")),
         inGroup(kRayTree, params::boolean({"interreflection", "Diffuse interreflection"}, p.interreflection,
-                                          "Diffuse surfaces send on a ray as well, in place of ambient light, down to "
-                                          "the maximum depth: path tracing (Kajiya 1986).")),
+                                          "Diffuse surfaces send on a ray as well, in place of ambient light: path "
+                                          "tracing (Kajiya 1986).")),
+        onlyIf([&p] { return p.interreflection; },
+               inGroup(params::kTeachingSwitches,
+                       params::boolean({"roulette", "Russian roulette"}, p.roulette,
+                                       "Path tracing: chance ends a path, and what goes on counts for as much more, so "
+                                       "that no light is lost on average (Arvo and Kirk 1990); false: it ends at the "
+                                       "maximum depth, and what would follow is lost (teaching)."))),
         inGroup(kDistributed, params::boolean({"adaptive", "Adaptive sampling"}, p.adaptive,
                                               "Pixels whose error is within the tolerance, with their neighbours, get "
                                               "no more rays; tested after every 16.")),

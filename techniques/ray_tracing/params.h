@@ -44,7 +44,7 @@ struct SamplingParams {
     bool gloss = true, translucency = true;
     double aperture = 0, focus = 0; ///< metres; focus 0: the distance of the camera's target
     double shutter = 1;
-    bool wholeLobes = true, interreflection = false;
+    bool wholeLobes = true, interreflection = false, roulette = true;
     bool adaptive = false;
     double tolerance = 1;
     friend bool operator==(const SamplingParams&, const SamplingParams&) = default;

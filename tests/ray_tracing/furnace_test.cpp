@@ -113,6 +113,81 @@ TEST(WhiteFurnace, ARoomThatShinesAndReflectsHasTheSumOfAllBounces) {
     }
 }
 
+/// The mean of many samples, its standard error, and how many rays the samples took.
+struct MeanOfPaths {
+    double mean = 0, error = 0, rays = 0;
+};
+
+MeanOfPaths meanOfPaths(const TracedScene& traced, const TreeSettings& settings, const dvec3& fromWorld, int count) {
+    double sum = 0, squares = 0, rays = 0;
+    const dvec3 from = traced.centred(fromWorld);
+    for (int i = 0; i < count; ++i) {
+        const SampleNumbers numbers = sampleOf(i, i, count);
+        const dvec3 u = lobeDirection({0, 1, 0}, 0, numbers.pair(Purpose::pixel));
+        RayTree tree;
+        tree.trace({traced.surfaces(), trace::MovingScene(traced.tracer()), 0, &numbers}, settings, from, u,
+                   traced.tracer().nextPoint(from, trace::kNoPrimitive, u), traced.surfaces().mediaAround(from));
+        const double seen = tree.root().intensity.x;
+        sum += seen;
+        squares += seen * seen;
+        rays += static_cast<double>(tree.nodes().size());
+    }
+    const double mean = sum / count;
+    return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean) / count), rays / count};
+}
+
+// Emission 1 - rho: every bounce together gives 1. A path that ends at a depth loses rho^(depth + 1) of it; one that ends by chance
+// loses nothing on average, in a dark room as in a bright one.
+TEST(WhiteFurnace, RussianRouletteLosesNothing) {
+    for (const double rho : {0.5, 0.9, 0.99}) {
+        scene::Scene scene = withBackground(0);
+        const std::uint32_t wall = addMaterial(scene, 0, 0, 1.5, 0, static_cast<float>(1 - rho));
+        scene.materials[wall].diffuse = vec3(static_cast<float>(rho));
+        addObject(scene, scene::makeBox({2, 2, 2}), wall, dmat4(1.0));
+        const TracedScene traced(scene);
+        TreeSettings settings = chanceSettings(10);
+        settings.roulette = true;
+        const MeanOfPaths paths = meanOfPaths(traced, settings, {0.1, 0.2, -0.3}, 12000);
+        EXPECT_NEAR(paths.mean, 1, 4 * paths.error) << rho; // of a normal distribution one in 16,000 lies farther off
+        EXPECT_LT(paths.error, 0.01) << "else the line above proves little";
+        EXPECT_LT(paths.rays, 2 / (1 - rho) + std::log(0.5) / std::log(rho)) << "paths end";
+        settings.roulette = false;
+        EXPECT_NEAR(meanOfPaths(traced, settings, {0.1, 0.2, -0.3}, 50).mean, 1 - std::pow(rho, 11), 1e-3) << "the fault";
+    }
+}
+
+// Glass splits every ray in two. With chance, the rays of a path stay few, and what they find stays right.
+TEST(WhiteFurnace, RussianRouletteKeepsTheRaysOfGlassFew) {
+    scene::Scene scene = withBackground(0);
+    const std::uint32_t wall = addMaterial(scene, 0, 0, 1.5, 0, 0.1f);
+    scene.materials[wall].diffuse = vec3(0.9f);
+    addObject(scene, scene::makeBox({4, 4, 4}), wall, dmat4(1.0));
+    const std::uint32_t glass = addMaterial(scene, 0.1, 0.9, 1.5);
+    for (const double x : {-0.8, 0.8})
+        addObject(scene, scene::makeSphere(0.7, 16), glass, testing::translation({x, 0, 0}));
+    const TracedScene traced(scene);
+    TreeSettings settings = chanceSettings(16);
+    const MeanOfPaths all = meanOfPaths(traced, settings, {0, 1.2, 0}, 20);
+    settings.roulette = true;
+    const MeanOfPaths some = meanOfPaths(traced, settings, {0, 1.2, 0}, 6000);
+    EXPECT_NEAR(some.mean, 1, 4 * some.error);
+    EXPECT_LT(some.error, 0.01);
+    EXPECT_LT(some.rays, 60);
+    EXPECT_GT(all.rays, 3 * some.rays) << "each ray split at each surface, to the maximum depth";
+}
+
+// Nothing is absorbed, so no path would ever end by what it carries.
+TEST(WhiteFurnace, RussianRouletteEndsPathsBetweenPerfectMirrors) {
+    scene::Scene scene = withBackground(0);
+    const std::uint32_t mirror = addMaterial(scene, 1, 0);
+    addObject(scene, scene::makeBox({2, 2, 2}), mirror, dmat4(1.0));
+    TreeSettings settings = chanceSettings(10);
+    settings.roulette = true;
+    const MeanOfPaths paths = meanOfPaths(TracedScene(scene), settings, {0.1, 0.2, -0.3}, 500);
+    EXPECT_LT(paths.rays, 300); // 16 levels, and 100 more on average
+    EXPECT_EQ(paths.mean, 0);
+}
+
 /// One horizon bright, the other dark: a huge wall that shines stands close to the point, at that angle.
 struct HalfBright {
     const char* name;

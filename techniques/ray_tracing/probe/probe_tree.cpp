@@ -23,6 +23,7 @@ std::string endOf(const TreeNode& node) {
     case RayEnd::opaque: return "neither reflects nor lets light pass";
     case RayEnd::depth: return node.point ? "depth is 0" : "not followed: the tree is deep enough";
     case RayEnd::cutoff: return "not followed: would add less than the cut-off";
+    case RayEnd::chance: return "ended by chance: those that go on count for more";
     case RayEnd::noTransmission: return "none: total reflection";
     }
     return "";

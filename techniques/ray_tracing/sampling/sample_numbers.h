@@ -31,7 +31,7 @@ struct SamplePattern {
 
 /// The decision that a pair of numbers is for. Every node of a tree has numbers of its own, so that its rays are sampled
 /// independently.
-enum class Purpose : std::uint32_t { pixel, lens, time, reflection, refraction, diffuse, light };
+enum class Purpose : std::uint32_t { pixel, lens, time, reflection, refraction, diffuse, light, survival };
 
 class SampleNumbers {
 public:

@@ -65,6 +65,36 @@ std::optional<dvec3> sampleLobe(const RayWorld& world, const TreeSettings& setti
 // Glass makes trees of some dozens of rays; the vector grows for larger ones.
 constexpr std::size_t kUsualNodes = 64;
 
+// Russian roulette: a ray that carries at least this share of the pixel is always followed. Less than half of a share is not worth a ray of
+// its own; with more, dark surfaces would end paths that cost little and add noise.
+constexpr double kSure = 0.5;
+
+// From this level on no ray is sure to be followed: between perfect mirrors, or in a room that reflects everything, it would go on for
+// ever. What is followed counts for so much more, a hundredth.
+constexpr int kSureLevels = 16;
+constexpr double kMostSurvival = 0.99;
+
+// The branches on the way to a node fill its number, two bits each, up to this level; below, they are mixed. Numbers are multiplied by
+// eight and by the number of lights before they are used (sample_numbers.h), so a few bits must be left.
+constexpr int kNumberedLevels = 26;
+
+/// The number of a node's child. An odd factor mixes: D. Knuth, "The Art of Computer Programming", volume 2, section 3.3.4 (MMIX).
+std::uint64_t pathOfChild(const TreeNode& node, Branch branch) {
+    const auto turn = static_cast<std::uint64_t>(branch);
+    return node.level < kNumberedLevels ? 4 * node.path + turn : node.path * 6364136223846793005u + 1442695040888963407u + turn;
+}
+
+/// Follows the ray with a probability that falls with its contribution, and then counts it for as much more: no light is lost on
+/// average, and paths end by themselves. J. Arvo and D. Kirk, "Particle Transport and Image Synthesis", SIGGRAPH 1990.
+// [anchor: russian-roulette]
+void russianRoulette(TreeNode& node, const SampleNumbers& numbers) {
+    node.survival = std::min(node.contribution / kSure, node.level < kSureLevels ? 1.0 : kMostSurvival);
+    if (numbers.pair(Purpose::survival, node.path).x < node.survival)
+        node.contribution /= node.survival;
+    else
+        node.end = RayEnd::chance;
+}
+
 // Lambert's law: the irradiance of a diffuse surface is weighted by the cosine to its normal.
 constexpr double kLambertPower = 1;
 
@@ -85,7 +115,7 @@ void RayTree::trace(const RayWorld& world, const TreeSettings& settings, const d
     // [anchor: tree-grows]
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
         if (nodes_[i].end == RayEnd::noTransmission || nodes_[i].end == RayEnd::depth ||
-            nodes_[i].end == RayEnd::cutoff)
+            nodes_[i].end == RayEnd::cutoff || nodes_[i].end == RayEnd::chance)
             continue;
         find(world, settings, nodes_[i]);
         if (!nodes_[i].point) {
@@ -161,7 +191,7 @@ void RayTree::split(const RayWorld& world, const TreeSettings& settings, std::si
                                           surfaces.geometricNormalWorld(node.point), Purpose::diffuse, node.path);
         if (direction) {
             node.diffuseWeight = diffuse;
-            add(settings, index, Branch::diffuse, *direction,
+            add(world, settings, index, Branch::diffuse, *direction,
                 node.contribution * node.attenuation * std::max({diffuse.x, diffuse.y, diffuse.z}));
         }
     }
@@ -191,23 +221,23 @@ void RayTree::splitByOptics(const RayWorld& world, const TreeSettings& settings,
         if (settings.gloss && world.numbers && material.glossDegrees > 0)
             direction = sampleLobe(world, settings, *direction, lobePower(material.glossDegrees),
                                    surfaces.geometricNormalWorld(point), Purpose::reflection, path);
-        if (direction) add(settings, index, Branch::reflection, *direction, arriving * weights.reflected);
+        if (direction) add(world, settings, index, Branch::reflection, *direction, arriving * weights.reflected);
     }
     if (weights.isTotal) {
-        add(settings, index, Branch::refraction, dvec3(0.0), 0).end = RayEnd::noTransmission;
+        add(world, settings, index, Branch::refraction, dvec3(0.0), 0).end = RayEnd::noTransmission;
     } else if (letsThrough) {
         std::optional<dvec3> direction = optics.refractedWorld;
         if (settings.translucency && world.numbers && material.translucencyDegrees > 0)
             direction = sampleLobe(world, settings, *direction, lobePower(material.translucencyDegrees),
                                    -surfaces.geometricNormalWorld(point), Purpose::refraction, path);
         if (!direction) return;
-        TreeNode& child = add(settings, index, Branch::refraction, *direction, arriving * weights.transmitted);
+        TreeNode& child = add(world, settings, index, Branch::refraction, *direction, arriving * weights.transmitted);
         if (surfaces.isSolid(point)) child.media.cross(surfaces.mediumOf(point), surfaces.isEntered(point));
     }
 }
 
-TreeNode& RayTree::add(const TreeSettings& settings, std::size_t parent, Branch branch, const dvec3& u,
-                       double contribution) {
+TreeNode& RayTree::add(const RayWorld& world, const TreeSettings& settings, std::size_t parent, Branch branch,
+                       const dvec3& u, double contribution) {
     const int number = static_cast<int>(nodes_.size());
     TreeNode& child = nodes_.emplace_back();
     TreeNode& from = nodes_[parent];
@@ -216,13 +246,15 @@ TreeNode& RayTree::add(const TreeSettings& settings, std::size_t parent, Branch 
                                     : from.diffuse) = number;
     child.parent = static_cast<int>(parent);
     child.level = from.level + 1;
-    child.path = 4 * from.path + static_cast<std::uint64_t>(branch);
+    child.path = pathOfChild(from, branch);
     child.branch = branch;
     child.fromCentred = from.positionCentred;
     child.u = u;
     child.contribution = contribution;
     child.media = from.media;
-    if (child.level > settings.depth)
+    if (settings.roulette && settings.interreflection && world.numbers)
+        russianRoulette(child, *world.numbers);
+    else if (child.level > settings.depth)
         child.end = RayEnd::depth;
     else if (contribution < settings.cutoff)
         child.end = RayEnd::cutoff;
@@ -235,11 +267,12 @@ void RayTree::evaluate(const Surfaces& surfaces) {
     for (std::size_t i = nodes_.size(); i-- > 0;) {
         TreeNode& node = nodes_[i];
         if (node.point)
-            node.intensity = node.attenuation * (node.local + node.weights.reflected * node.reflectedIntensity +
-                                                 node.weights.transmitted * node.refractedIntensity +
-                                                 node.diffuseWeight * node.diffuseIntensity);
-        else if (node.end != RayEnd::noTransmission)
-            node.intensity = dvec3(surfaces.scene().background);
+            node.intensity = node.attenuation / node.survival *
+                             (node.local + node.weights.reflected * node.reflectedIntensity +
+                              node.weights.transmitted * node.refractedIntensity +
+                              node.diffuseWeight * node.diffuseIntensity);
+        else if (node.end != RayEnd::noTransmission && node.end != RayEnd::chance)
+            node.intensity = dvec3(surfaces.scene().background) / node.survival;
         if (node.parent < 0) continue;
         TreeNode& parent = nodes_[static_cast<std::size_t>(node.parent)];
         (node.branch == Branch::reflection   ? parent.reflectedIntensity

@@ -38,6 +38,8 @@ struct TreeSettings {
     bool gloss = false, translucency = false; ///< rays are spread over the lobes of the materials
     bool wholeLobes = true;       ///< directions below the surface are drawn again; false: their light is lost
     bool interreflection = false; ///< diffuse surfaces send a ray, too
+    /// With interreflection: chance ends a path, in place of `depth` and `cutoff`, and on average no light is lost (russianRoulette()).
+    bool roulette = false;
 
     /// No shadow ray where the light could not visibly change the pixel. For pictures; a probe lists all rays.
     bool skipsFaint = false;
@@ -66,6 +68,7 @@ enum class RayEnd : std::uint8_t {
     opaque,         ///< hit a surface that neither reflects nor transmits
     depth,          ///< the maximum depth is reached
     cutoff,         ///< its contribution would be too small
+    chance,         ///< Russian roulette has ended it
     noTransmission, ///< total internal reflection: there is no such ray
 };
 
@@ -85,6 +88,7 @@ struct LightAtNode {
 struct TreeNode {
     int parent = -1, level = 0;
     std::uint64_t path = 1; ///< number of this node among those of all possible trees: the branches on the way to it
+    double survival = 1;    ///< probability with which it is followed; its intensity counts for as much more
     Branch branch = Branch::eye;
     RayEnd end = RayEnd::opaque;
     dvec3 fromCentred{0.0};
@@ -145,7 +149,8 @@ private:
     void split(const RayWorld& world, const TreeSettings& settings, std::size_t index);
     void splitByOptics(const RayWorld& world, const TreeSettings& settings, std::size_t index);
     /// Returns the new node; references to nodes become invalid.
-    TreeNode& add(const TreeSettings& settings, std::size_t parent, Branch branch, const dvec3& u, double contribution);
+    TreeNode& add(const RayWorld& world, const TreeSettings& settings, std::size_t parent, Branch branch, const dvec3& u,
+                  double contribution);
     void evaluate(const Surfaces& surfaces);
 
     std::vector<TreeNode> nodes_;
