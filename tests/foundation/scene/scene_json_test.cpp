@@ -37,6 +37,27 @@ TEST(SceneJson, DefaultsAreAsDocumented) {
     EXPECT_TRUE(scene->notes.empty());
 }
 
+// A closed body with the eye in it is a room and glows inside; whatever else shares its material, or says which side shines, does not.
+TEST(SceneJson, ARoomGlowsInside) {
+    const auto emitsOf = [](const std::string& keys, const std::string& eye, const std::string& others) {
+        const auto scene = parse(R"({"camera": {"position": )" + eye + R"(, "target": [0, 0, -9]}, "materials": {"glow": {"emission": [1, 1, 1])" +
+                                 keys + R"(}}, "objects": [{"shape": "box", "size": [2, 2, 2], "material": "glow"})" + others + "]}");
+        std::vector<EmittingSides> sides;
+        for (const Object& object : scene->objects)
+            sides.push_back(scene->materials[object.partMaterials[0]].emits);
+        EXPECT_EQ(scene->materials.size(), others.find("glow") == std::string::npos || sides[0] == sides[1] ? 2u : 3u);
+        return sides;
+    };
+    const std::string inside = "[0, 0, 0.5]", outside = "[0, 0, 5]";
+    const std::string panel = R"(, {"shape": "quad", "size": [1, 1], "material": "glow"})";
+    using enum EmittingSides;
+    EXPECT_EQ(emitsOf("", inside, ""), std::vector{both});
+    EXPECT_EQ(emitsOf("", outside, ""), std::vector{front});
+    EXPECT_EQ(emitsOf(R"(, "emits": "front")", inside, ""), std::vector{front});
+    EXPECT_EQ(emitsOf("", inside, panel), (std::vector{both, front})) << "a quad has no inside";
+    EXPECT_EQ(emitsOf("", outside, panel), (std::vector{front, front}));
+}
+
 TEST(SceneJson, CommentsAndAByteOrderMarkAreAllowed) {
     const auto scene = parse("\xef\xbb\xbf// a scene\n{ /* the eye */ " + kCamera + " // \"end\":\n}\n/* done */");
     EXPECT_EQ(scene->camera.positionWorld, dvec3(0, 1, 5));

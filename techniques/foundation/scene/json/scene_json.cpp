@@ -126,6 +126,7 @@ std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::
     readLights(reading, top);
     readMaterials(reading, top);
     readObjects(reading, top);
+    shineIntoRooms(reading, top);
     misnamedNote.appendTo(scene->notes);
     addEmitterSurfaces(*scene);
     fitNearPlanes(reading, top, camera);

@@ -53,6 +53,10 @@ void readMaterials(const SceneReading& reading, const JsonObject& top);
 /// Needs the materials.
 void readObjects(const SceneReading& reading, const JsonObject& top);
 
+/// A closed body in which an eye stands is a room, and its emitters shine into it as well, where their materials do not say which side
+/// shines ("emits"). Outside and inside exchange no light, so nothing else changes. Needs cameras and objects.
+void shineIntoRooms(const SceneReading& reading, const JsonObject& top);
+
 /// A built-in shape as asked for, not built yet.
 struct ShapeRequest {
     std::string id;              ///< kind and numbers: requests with equal ids make equal meshes

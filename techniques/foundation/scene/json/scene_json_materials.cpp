@@ -1,6 +1,8 @@
 // Reads the materials. Colours and shares of light stay within 0..1, so that no surface reflects more light than it
 // receives; only `emission` adds light.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/json/scene_json.h"
 #include "techniques/foundation/scene/load/image_files.h"
@@ -59,7 +61,51 @@ Material readMaterial(const SceneReading& reading, const JsonMember& member, Ima
     return material;
 }
 
+/// Does the file say which side of that material shines?
+bool namesSides(const SceneReading& reading, const JsonObject& top, const Material& material) {
+    const JsonValue* materials = top.find("materials");
+    if (!materials) return false;
+    const auto member = std::ranges::find(materials->members, material.name, &JsonMember::key);
+    if (member == materials->members.end()) return false;
+    const auto& keys = member->value.members;
+    return std::ranges::find(keys, "emits", &JsonMember::key) != keys.end();
+}
+
+bool holdsAnEye(const Scene& scene, const Bounds& bounds) {
+    const auto isWithin = [&](const Camera& camera) {
+        const dvec3& eye = camera.positionWorld;
+        return glm::all(glm::greaterThan(eye, bounds.lowerWorld)) && glm::all(glm::lessThan(eye, bounds.upperWorld));
+    };
+    return isWithin(scene.camera) || std::ranges::any_of(scene.viewpoints, isWithin, &Viewpoint::camera);
+}
+
 } // namespace
+
+void shineIntoRooms(const SceneReading& reading, const JsonObject& top) {
+    Scene& scene = reading.scene;
+    const std::vector<Bounds> bounds = objectBounds(scene);
+    std::vector<std::uint32_t*> ofRooms, ofOthers; // the materials of their parts
+    for (std::size_t o = 0; o < scene.objects.size(); ++o) {
+        const bool isRoom = scene.objects[o].mesh->outward && holdsAnEye(scene, bounds[o]);
+        for (std::uint32_t& number : scene.objects[o].partMaterials)
+            (isRoom ? ofRooms : ofOthers).push_back(&number);
+    }
+    const auto uses = [](std::uint32_t number) { return [number](const std::uint32_t* used) { return *used == number; }; };
+    for (std::uint32_t number = 0, count = static_cast<std::uint32_t>(scene.materials.size()); number < count; ++number) {
+        Material material = scene.materials[number];
+        if (material.emission == vec3(0.0f) || material.emits == EmittingSides::both || namesSides(reading, top, material)) continue;
+        if (std::ranges::none_of(ofRooms, uses(number))) continue;
+        material.emits = EmittingSides::both;
+        if (std::ranges::none_of(ofOthers, uses(number))) {
+            scene.materials[number] = std::move(material);
+            continue;
+        }
+        material.name += " of a room";
+        for (std::uint32_t* const used : ofRooms)
+            if (*used == number) *used = static_cast<std::uint32_t>(scene.materials.size());
+        scene.materials.push_back(std::move(material));
+    }
+}
 
 void readMaterials(const SceneReading& reading, const JsonObject& top) {
     std::vector<Material>& materials = reading.scene.materials;
