@@ -63,7 +63,15 @@ inline constexpr PassInfo kPasses[] = {
             "eye may move, and nothing has to be solved again.",
      .glState = "depth test EQUAL, interpolated between the corners of patches",
      .formula = "I = B_j / pi",
-     .anchors = "radiosity-shown"},
+     .anchors = "radiosity-shown final-gather"},
+    {.id = "direct",
+     .title = "Add one light's direct light, found for each pixel",
+     .why = "Patches are far larger than the edge of a shadow; but light that comes by way of other surfaces changes slowly. So "
+            "patches are left to that, and each pixel asks by a ray of its own whether the light is seen.",
+     .glState = "depth test EQUAL, blending ONE, ONE",
+     .perLight = true,
+     .formula = "I += rho / pi * (irradiance of the pixel by the light) * (share of the light that is seen)",
+     .anchors = "light-on-a-pixel direct-light-of-a-pixel"},
 };
 
 inline constexpr StageInfo kStages[] = {
@@ -80,7 +88,7 @@ inline constexpr StageInfo kStages[] = {
     {"residual", "Received and not yet sent on: how far the equations are from true", StageKind::scalar, false},
     {"radiosity", "Radiosity, one value for each patch", StageKind::radiance, false},
     {"interpolated", "Radiosity, interpolated between corners of patches", StageKind::radiance, false},
-    {"visibility", "The share of a light that arrives, as the patches know it", StageKind::visibility, true},
+    {"visibility", "The share of a light that arrives, as pixels, points or patches know it", StageKind::visibility, true},
 };
 
 } // namespace shadowlab::radiosity

@@ -11,6 +11,7 @@ namespace {
 constexpr int kMostPatches = 10000;
 constexpr int kMostSteps = 1000000;
 constexpr int kMostRounds = 8;       // each adds up to half as many patches: the budget is used up by then
+constexpr int kMostGathered = 65536; // at 1280 x 720 some hours
 constexpr int kMostPoints = 4000000; // 64 MB for each light
 
 // Names of the groups.
@@ -33,7 +34,9 @@ params::Param powerOfTwo(params::Named id, int& field, int least, int most, std:
 params::ParamList describe(RadiosityParams& p) {
     using params::inGroup, params::onlyIf;
     const auto hasHemicube = [&p] { return p.formFactors == RadiosityParams::FormFactors::hemicube; };
-    const auto hasLightMap = [&p] { return p.display == RadiosityParams::Display::lightMap; };
+    const auto isSmooth = [&p] { return p.display == RadiosityParams::Display::interpolated; };
+    const auto showsPixels = [&p, isSmooth] { return isSmooth() && p.direct == RadiosityParams::Direct::pixels; };
+    const auto hasLightMap = [&p, isSmooth] { return isSmooth() && p.direct == RadiosityParams::Direct::lightMap; };
     return {
         params::integer(
             {"patches", "Number of patches"}, p.patches, 6, kMostPatches, "patches",
@@ -94,10 +97,27 @@ params::ParamList describe(RadiosityParams& p) {
             inGroup(kSolverGroup, params::boolean("ambient-term", p.ambientTerm,
                                                   "While shooting, show unshot radiosity as ambient light (Cohen and "
                                                   "others 1988); false: the room brightens shot by shot."))),
-        params::choice({"display", "Shown as"}, p.display,
-                       {{"flat", "flat patches"}, "interpolated", {"light-map", "light map"}},
-                       "Flat: one radiosity for each patch; interpolated: between the corners of patches; light map: "
-                       "interpolated, with direct light computed at many points of each patch."),
+        params::choice({"display", "Shown as"}, p.display, {"interpolated", {"flat", "flat patches"}},
+                       "Interpolated: between the corners of patches; flat: one radiosity for each patch, direct light included."),
+        onlyIf(isSmooth,
+               inGroup(kDisplayGroup,
+                       params::choice(
+                           {"direct", "Direct light"}, p.direct,
+                           {{"pixels", "of each pixel, exactly"}, {"light-map", "in a light map"}, {"patches", "of patches"}},
+                           "Where the light of the lights themselves is found, and the edges of their shadows with it. Pixels: "
+                           "by rays, for each; light map: at many points of each patch; patches: one mean for each, as the "
+                           "lecture has it, interpolated like all other light."))),
+        onlyIf(showsPixels,
+               inGroup(kDisplayGroup,
+                       params::choice({"gather", "Final gather"}, p.gather,
+                                      {{"none", "no: between patches"}, {"pixels", "of each pixel"}},
+                                      "Whether each pixel collects the light that patches send by rays of its own, for contact "
+                                      "shadows and corners, in place of what is interpolated between patches. The picture gets "
+                                      "less noisy while one looks on."))),
+        onlyIf([&p, showsPixels] { return showsPixels() && p.gather == RadiosityParams::Gather::pixels; },
+               inGroup(kDisplayGroup,
+                       params::integer("gather-samples", p.gatherSamples, 1, kMostGathered, "rays",
+                                       "Rays that each pixel collects light along. A quarter of the noise takes 16 times as many."))),
         onlyIf(hasLightMap,
                inGroup(kDisplayGroup,
                        params::integer("light-map-points", p.lightMapPoints, 1, kMostPoints, "points",

@@ -26,8 +26,11 @@ struct RadiosityParams {
     bool ambientTerm = true;
 
     // How the solution is displayed.
-    enum class Display { flat, interpolated, lightMap } display = Display::lightMap;
+    enum class Display { interpolated, flat } display = Display::interpolated;
+    enum class Direct { pixels, lightMap, patches } direct = Direct::pixels; ///< not shown flat
     int lightMapPoints = 60000;
+    enum class Gather { none, pixels } gather = Gather::none; ///< with direct light of pixels
+    int gatherSamples = 64;
     double exposure = 0; ///< stops
     [[nodiscard]] double exposureFactor() const { return std::exp2(exposure); }
     int bounce = 2, fromPatch = -1, toPatch = -1;

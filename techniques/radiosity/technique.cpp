@@ -8,6 +8,7 @@
 // 4. Every patch reflects what it receives from all others: a system of equations (problem.h), solved in one of six ways with a
 //    bound of the error (solvers.h).
 // 5. The solution does not depend on the eye. A picture interpolates it between patches (display/).
+// 6. Direct light, whose shadows have edges, is found anew for each pixel (lights/pixel_light.h); patches keep what is reflected.
 // Simplified on purpose: every surface is a Lambertian reflector, so mirrors, glass and highlights look dull; holes of alpha maps let
 // no light through; meshes of many triangles exchange light as coarser ones.
 // SPDX-License-Identifier: MIT
@@ -17,6 +18,7 @@
 #include "techniques/probed/patch_exchange.h"
 #include "techniques/radiosity/described.h"
 #include "techniques/radiosity/display/light_map.h"
+#include "techniques/radiosity/display/pixel_picture.h"
 #include "techniques/radiosity/display/stages.h"
 #include "techniques/radiosity/display/surface_picture.h"
 #include "techniques/radiosity/equations/light_balance.h"
@@ -34,22 +36,26 @@ public:
     params::ParamList params() override { return describe(params_); }
 
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
+        if (showsPixels()) return {}; // direct light can be drawn before there are patches
         if (!cache_.advance(snapshot, params_, deadline)) return {cache_.done(), false};
         return {};
     }
 
     Progress render(Frame& frame) override {
-        if (!cache_.hasFormFactors() && !drawFormFactors(frame.deadline())) {
-            frame.pass(passInfo(kPasses, "patches"), [&] { clear(frame); });
-            return {0.9 * hemicubes_->done(), false};
-        }
+        // Direct light first: until the room is prepared it is all there is to show.
+        std::optional<DirectShown> found = showsPixels() ? advanceDirect(frame, frame.deadline()) : std::nullopt;
+        if (!cache_.advance(frame.snapshot(), params_, frame.deadline())) return drawBeforehand(frame, found, cache_.done());
+        if (!cache_.hasFormFactors() && !drawFormFactors(frame.deadline()))
+            return drawBeforehand(frame, found, 0.9 * hemicubes_->done());
         if (uploadedRoom_ != cache_.version()) picture_.setCells(cache_.cells());
         uploadedRoom_ = cache_.version();
         restartIfChanged(frame.snapshot());
         const Deadline deadline = std::max(frame.deadline(), std::chrono::steady_clock::now() + kLeastWork);
         const bool isSolved = advanceSolver(static_cast<std::size_t>(params_.stepsPerPicture), deadline);
-        const bool isMapped = advanceLightMap(frame, deadline);
-        const LightMap* map = isMapped && usesLightMap() ? &lightMap_ : nullptr;
+        if (!found) found = advanceDirect(frame, deadline);
+        const DirectShown direct = found.value_or(DirectShown()); // until then that of the patches
+        const bool mayGather = gathers() && isSolved && found;
+        const bool isGathered = mayGather ? advanceGather(frame, deadline) : !gathers();
         const Showing showing{frame, cache_, sources_, balance_, picture_, params_};
 
         frame.pass(passInfo(kPasses, "patches"), [&] { clear(frame); });
@@ -59,11 +65,14 @@ public:
             frame.pass(
                 passInfo(kPasses, "light"), [&] { drawLitBy(showing, light + 1); }, light);
         frame.pass(passInfo(kPasses, "solve"), [&] { drawSolution(showing); });
-        if (!isFlat()) frame.pass(passInfo(kPasses, "display"), [&] { drawSmooth(showing, map); });
+        if (!isFlat()) frame.pass(passInfo(kPasses, "display"), [&] { drawReflected(showing, direct, mayGather && pixels_.gathered() > 0); });
+        for (int light = 0; direct.pixels && light < static_cast<int>(frame.scene().lights.size()); ++light)
+            frame.pass(
+                passInfo(kPasses, "direct"), [&] { direct.pixels->addDirect(frame, light, params_.exposureFactor()); }, light);
 
-        publishStages(showing, map);
+        publishStages(showing, direct);
         publishNotes(showing);
-        const bool isFinished = isSolved && isMapped;
+        const bool isFinished = isSolved && found && isGathered;
         return {isFinished ? 1.0 : 0.95, isFinished};
     }
 
@@ -94,11 +103,12 @@ private:
     /// What the irradiance on the graphics card was made from.
     struct ShownCacheKey {
         std::uint64_t solution = 0, map = 0;
+        bool withDirect = true;
         friend bool operator==(const ShownCacheKey&, const ShownCacheKey&) = default;
     };
 
+    [[nodiscard]] bool showsPixels() const { return !isFlat() && params_.direct == RadiosityParams::Direct::pixels; }
     [[nodiscard]] bool isFlat() const { return params_.display == RadiosityParams::Display::flat; }
-    [[nodiscard]] bool usesLightMap() const { return params_.display == RadiosityParams::Display::lightMap; }
 
     /// Form factors by hemicubes need the graphics card, so they are drawn here and not in prepare(). True when all are there.
     bool drawFormFactors(Deadline deadline) {
@@ -112,17 +122,21 @@ private:
         return true;
     }
 
+    /// The radiance where a patch sees no surface.
+    [[nodiscard]] dvec3 outside(const scene::Scene& scene) const {
+        using enum RadiosityParams::Surroundings;
+        return dvec3(params_.surroundings == background ? scene.background
+                     : params_.surroundings == ambient  ? scene.ambient
+                                                        : vec3(0.0f));
+    }
+
     void restartIfChanged(const scene::Snapshot& snapshot) {
         const SolutionCacheKey key{cache_.version(),    snapshot->revisions, params_.solver,
                                    params_.tolerance,   params_.steps,       params_.stepsPerPicture,
                                    params_.ambientTerm, params_.surroundings};
         if (key == solutionKey_) return;
         solutionKey_ = key;
-        using enum RadiosityParams::Surroundings;
-        const dvec3 outside(params_.surroundings == background ? snapshot->background
-                            : params_.surroundings == ambient  ? snapshot->ambient
-                                                               : vec3(0.0f));
-        sources_ = sourcesOf(cache_.room(), cache_.lights(), outside);
+        sources_ = sourcesOf(cache_.room(), cache_.lights(), outside(*snapshot));
         balance_.restart(cache_.exchange(), sources_, params_.solver, params_.ambientTerm);
     }
 
@@ -131,11 +145,34 @@ private:
         return balance_.advance({params_.tolerance, static_cast<std::size_t>(params_.steps)}, most, deadline);
     }
 
-    /// True when the light map is complete, or the frame does not show it: passes before `display` draw flat patches.
-    bool advanceLightMap(const Frame& frame, Deadline deadline) {
-        const bool isShown = usesLightMap() && (!frame.stopsAfter() || frame.stopsAfter()->id == "display");
-        return !isShown ||
-               lightMap_.advance(frame.snapshot(), cache_, static_cast<std::size_t>(params_.lightMapPoints), deadline);
+    /// A picture for as long as form factors are still being found: direct light, where the pixels have it, and the scene's ambient
+    /// light as an estimate of all that is reflected.
+    Progress drawBeforehand(Frame& frame, const std::optional<DirectShown>& found, double done) {
+        frame.pass(passInfo(kPasses, "emission"), [&] {
+            clear(frame);
+            if (found) drawLightsOff(frame, frame.scene().ambient);
+        });
+        for (int light = 0; found && found->pixels && light < static_cast<int>(frame.scene().lights.size()); ++light)
+            frame.pass(
+                passInfo(kPasses, "direct"), [&] { found->pixels->addDirect(frame, light, params_.exposureFactor()); }, light);
+        return {done, false};
+    }
+
+    /// The direct light of the pixels or the light map, once that is complete; nothing before. Where the frame shows neither (the
+    /// passes before `display` draw flat patches), it is that of the patches.
+    std::optional<DirectShown> advanceDirect(const Frame& frame, Deadline deadline) {
+        const auto& last = frame.stopsAfter();
+        if (isFlat() || (last && last->id != "display" && last->id != "direct")) return DirectShown();
+        if (params_.direct == RadiosityParams::Direct::pixels) {
+            if (!pixels_.advanceDirect(frame.snapshot(), frame.view(), deadline)) return std::nullopt;
+            return DirectShown{&pixels_, nullptr};
+        }
+        if (params_.direct == RadiosityParams::Direct::lightMap) {
+            if (!lightMap_.advance(frame.snapshot(), cache_, static_cast<std::size_t>(params_.lightMapPoints), deadline))
+                return std::nullopt;
+            return DirectShown{nullptr, &lightMap_};
+        }
+        return DirectShown();
     }
 
     static void clear(const Frame& frame) {
@@ -144,11 +181,14 @@ private:
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     }
 
+    void drawLightsOff(const Frame& frame, const vec3& ambient) const {
+        gl::useLightsOff(lightsOff_, frame.scene(), frame.buffers(), ambient);
+        gl::drawSurfacesWithHoles(lightsOff_, frame.scene(), frame.buffers(), frame.eye());
+    }
+
     void drawEmission(const Frame& frame) const {
         clear(frame);
-        constexpr vec3 kNoAmbient(0.0f); // it stands for interreflection, which is computed here
-        gl::useLightsOff(lightsOff_, frame.scene(), frame.buffers(), kNoAmbient);
-        gl::drawSurfacesWithHoles(lightsOff_, frame.scene(), frame.buffers(), frame.eye());
+        drawLightsOff(frame, vec3(0.0f)); // ambient light stands for interreflection, which is computed here
     }
 
     /// Emission, and what of the first `lights` lights is reflected once. Seen only where the frame stops after this pass.
@@ -166,10 +206,29 @@ private:
         if (showing.frame.stopsAfter() || isFlat()) showing.draw(balance_.radiosity(), false);
     }
 
+    [[nodiscard]] bool gathers() const { return showsPixels() && params_.gather == RadiosityParams::Gather::pixels; }
+
+    /// True when each pixel has sent all its rays, or the frame stops before they are shown.
+    bool advanceGather(const Frame& frame, Deadline deadline) {
+        if (frame.stopsAfter() && frame.stopsAfter()->id != "display" && frame.stopsAfter()->id != "direct") return true;
+        std::vector<dvec3> reflected = balance_.irradianceShown();
+        for (std::size_t i = 0; i < reflected.size(); ++i)
+            reflected[i] -= sources_.fromLights[i];
+        const PixelGather::Solution solution{cache_, sources_, reflected, outside(*frame.snapshot()), balance_.version()};
+        return pixels_.advanceGather(solution, static_cast<std::size_t>(params_.gatherSamples), deadline);
+    }
+
+    /// What is reflected, as the pixels have gathered it; until the first of their rays have, interpolated between patches.
+    void drawReflected(const Showing& showing, const DirectShown& direct, bool isGathered) {
+        if (!isGathered) return drawSmooth(showing, direct);
+        drawEmission(showing.frame);
+        pixels_.addGathered(showing.frame, params_.exposureFactor());
+    }
+
     /// The irradiance stays on the graphics card while only the eye moves.
-    void drawSmooth(const Showing& showing, const LightMap* map) {
-        const ShownCacheKey key{balance_.version(), map ? lightMap_.version() : 0};
-        if (!shown_ || shownKey_ != key) shown_ = showing.shown(map);
+    void drawSmooth(const Showing& showing, const DirectShown& direct) {
+        const ShownCacheKey key{balance_.version(), direct.map ? lightMap_.version() : 0, !direct.pixels};
+        if (!shown_ || shownKey_ != key) shown_ = showing.shown(direct);
         shownKey_ = key;
         showing.drawSmooth(*shown_);
     }
@@ -187,6 +246,7 @@ private:
     LightBalance balance_;
     LightMap lightMap_;
     SurfacePicture picture_;
+    PixelPicture pixels_;
     std::uint64_t uploadedRoom_ = 0; ///< RoomCache::version() of the cells on the graphics card
     ShownCacheKey shownKey_;
     std::optional<ShownLight> shown_;
@@ -194,7 +254,7 @@ private:
 
 Probe Radiosity::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
     Probe probe = Technique::probe(snapshot, view, pixel, light);
-    prepare(snapshot, Deadline::max());
+    cache_.advance(snapshot, params_, Deadline::max());
     if (!exactJudge(snapshot)->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size)) return probe;
     if (!cache_.hasFormFactors()) {
         probe.facts.push_back(
@@ -244,7 +304,8 @@ std::span<const TechniqueInfo> techniques() {
                  "and Greenberg 1985, The Hemi-Cube; Cohen, Chen, Wallace and Greenberg 1988, A Progressive Refinement "
                  "Approach to "
                  "Fast Radiosity Image Generation",
-        .getsWrong = "everything that is not dull: mirrors, glass, highlights; shadows finer than its patches",
+        .getsWrong = "everything that is not dull: mirrors, glass, highlights; what other surfaces send, where it changes faster than "
+                     "patches are large",
         .order = 70,
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},
@@ -262,8 +323,14 @@ std::span<const TechniqueInfo> techniques() {
                    {"r", "r"},
                    {"irradiance of patch j by the light", "irradiance by lights"},
                    {"I", "I = B / pi, intensity"}},
-        .sweeps = {{.title = "Patches", .varies = "patches", .values = "100 300 600 1200", .quick = "300"},
-                   {.title = "Hemicubes", .settings = "form-factors=hemicube", .onlyFull = true}},
+        .sweeps = {{.title = "Direct light of pixels"},
+                   {.title = "Direct light of patches",
+                    .settings = "direct=patches",
+                    .varies = "patches",
+                    .values = "100 300 600 1200",
+                    .quick = "300"},
+                   {.title = "Light map", .settings = "direct=light-map", .onlyFull = true},
+                   {.title = "Hemicubes", .settings = "form-factors=hemicube direct=patches", .onlyFull = true}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<Radiosity>(); },
     }};
     return info;

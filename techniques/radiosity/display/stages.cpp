@@ -112,9 +112,13 @@ void publishResidual(const Showing& showing) {
                   {.minimum = 0, .maximum = most > 0 ? most : 1, .unit = "W/m^2", .key = {}});
 }
 
-void publishVisibility(const Showing& showing, int light, const LightMap* map) {
+void publishVisibility(const Showing& showing, int light, const DirectShown& direct) {
     const SurfaceCells& cells = showing.cache.cells();
-    if (map) {
+    if (direct.pixels) {
+        showing.frame.drawStage("visibility", light, GL_RG32F, [&] { direct.pixels->drawVisibility(showing.frame, light); });
+        return;
+    }
+    if (const LightMap* const map = direct.map) {
         const LightMap::Values seen = map->seenArea(cells, light);
         const std::vector<dvec3> nothing(showing.sources.size(), dvec3(0)); // the map holds all of it
         const auto uploaded = SurfacePicture::upload(cellValues(cells, nothing, seen.atBlends));
@@ -143,21 +147,22 @@ void Showing::drawSmooth(const ShownLight& shown) const {
     picture.drawReflected(frame, shown.values, shown.map ? &*shown.map : nullptr, params.exposureFactor());
 }
 
-ShownLight Showing::shown(const LightMap* map) const {
+ShownLight Showing::shown(const DirectShown& direct) const {
     std::vector<dvec3> arriving = balance.irradianceShown();
-    if (!map) return {SurfacePicture::upload(cellValues(cache.cells(), arriving)), std::nullopt};
-    // Light from other patches and from the surroundings changes slowly and is interpolated. Direct light is in the map.
-    for (std::size_t i = 0; i < arriving.size(); ++i)
-        arriving[i] -= sources.fromLights[i];
-    const LightMap::Values direct = map->irradiance(cache.cells());
+    // Light from other patches and from the surroundings changes slowly and is interpolated, whatever direct light is.
+    if (direct.pixels || direct.map)
+        for (std::size_t i = 0; i < arriving.size(); ++i)
+            arriving[i] -= sources.fromLights[i];
+    if (!direct.map) return {SurfacePicture::upload(cellValues(cache.cells(), arriving)), std::nullopt};
+    const LightMap::Values found = direct.map->irradiance(cache.cells());
     std::vector<dvec3> atBlends = blended(cache.cells(), arriving);
     for (std::size_t i = 0; i < atBlends.size(); ++i)
-        atBlends[i] += direct.atBlends[i];
+        atBlends[i] += found.atBlends[i];
     return {SurfacePicture::upload(cellValues(cache.cells(), arriving, atBlends)),
-            SurfacePicture::upload(map->lattices(), direct.atPoints)};
+            SurfacePicture::upload(direct.map->lattices(), found.atPoints)};
 }
 
-void publishStages(const Showing& showing, const LightMap* map) {
+void publishStages(const Showing& showing, const DirectShown& direct) {
     const Frame& frame = showing.frame;
     if (frame.wants("patches")) publishPatches(showing);
     if (frame.wants("form-factors")) publishFormFactors(showing);
@@ -185,9 +190,9 @@ void publishStages(const Showing& showing, const LightMap* map) {
     }
     if (frame.wants("residual")) publishResidual(showing);
     publishRadiance(showing, "radiosity", showing.balance.radiosity(), false);
-    publishRadiance(showing, "interpolated", [&] { showing.drawSmooth(showing.shown(nullptr)); });
+    publishRadiance(showing, "interpolated", [&] { showing.drawSmooth(showing.shown({})); });
     for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
-        if (frame.wants("visibility", light)) publishVisibility(showing, light, map);
+        if (frame.wants("visibility", light)) publishVisibility(showing, light, direct);
 }
 
 } // namespace shadowlab::radiosity

@@ -6,6 +6,7 @@
 
 #include "techniques/frame.h"
 #include "techniques/radiosity/display/light_map.h"
+#include "techniques/radiosity/display/pixel_picture.h"
 #include "techniques/radiosity/display/surface_picture.h"
 #include "techniques/radiosity/equations/light_balance.h"
 #include "techniques/radiosity/params.h"
@@ -17,6 +18,12 @@ namespace shadowlab::radiosity {
 struct ShownLight {
     SurfacePicture::Values values;
     std::optional<SurfacePicture::Lattices> map;
+};
+
+/// What direct light is shown with, while it is known: pixels, a light map, or (neither) the patches alone.
+struct DirectShown {
+    const PixelPicture* pixels = nullptr;
+    const LightMap* map = nullptr;
 };
 
 /// A frame, and the results to be shown in it.
@@ -32,12 +39,12 @@ struct Showing {
     void draw(std::span<const dvec3> radiosity, bool interpolates) const;
     /// Draws the irradiance, reflected by every pixel's own material.
     void drawSmooth(const ShownLight& shown) const;
-    /// The irradiance for the finished picture. `map`: the direct light, or nullptr: it is interpolated like the rest.
-    [[nodiscard]] ShownLight shown(const LightMap* map) const;
+    /// The irradiance to be interpolated: without direct light where pixels have it, and with that of a light map beside it.
+    [[nodiscard]] ShownLight shown(const DirectShown& direct) const;
 };
 
-/// Publishes the stages that the frame asks for. `map`: the light map that direct light is shown with, or nullptr.
-void publishStages(const Showing& showing, const LightMap* map);
+/// Publishes the stages that the frame asks for.
+void publishStages(const Showing& showing, const DirectShown& direct);
 
 /// Publishes stage `matrix`: F_jk in row j and column k on a logarithmic scale, each pixel the mean of the entries that it
 /// covers; on its right a bar for each row, as long as the row's sum.

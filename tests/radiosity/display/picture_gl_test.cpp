@@ -63,7 +63,7 @@ scene::Scene uniformRoom(double emission, double reflectance) {
 
 // In a uniform enclosure all is equally bright: E / (1 - rho), as if one looked at the light itself through fog.
 TEST_F(RadiosityPictureTest, OfAUniformEnclosureEveryPixelIsAlike) {
-    for (const char* display : {"display=flat", "display=interpolated", "display=light-map"})
+    for (const char* display : {"display=flat", "direct=patches", "direct=light-map", "direct=pixels"})
         for (const char* formFactors : {"form-factors=analytic", "form-factors=hemicube"}) {
             Drawing drawing(testing::snapshot(uniformRoom(0.25, 0.5)),
                             {"patches=150", "tolerance=1e-6", display, formFactors});
@@ -159,7 +159,7 @@ TEST_F(RadiosityPictureTest, EachPixelReflectsByItsOwnMaterial) {
     scene.camera.positionWorld = {0, 0, 12};
     scene.camera.targetWorld = {0, 0, 0};
     scene.camera.fovYDegrees = 60;
-    for (const char* display : {"display=interpolated", "display=light-map", "display=flat"}) {
+    for (const char* display : {"direct=patches", "direct=light-map", "direct=pixels", "display=flat"}) {
         Drawing drawing(testing::snapshot(scene), {"patches=100", display}, "radiosity", {97, 97});
         const std::vector<vec4> texels = drawing.texels();
         const double metresOfPixel = 2 * 12 * std::tan(glm::radians(30.0)) / 97;
@@ -277,7 +277,7 @@ TEST_F(RadiosityPictureTest, BehindAWallItIsDark) {
     scene.camera.targetWorld = {1.8, 0, 1};
     scene.camera.fovYDegrees = 90;
     const scene::Snapshot snapshot = testing::snapshot(scene);
-    for (const char* display : {"display=flat", "display=interpolated", "display=light-map"}) {
+    for (const char* display : {"display=flat", "direct=patches", "direct=light-map", "direct=pixels"}) {
         int bright = 0;
         for (const vec4& texel : Drawing(snapshot, {"patches=200", display}).texels())
             bright += texel.g > 0;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/display/pixel_picture.h"
+
+#include "techniques/foundation/gl/scene/surfaces.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+gl::Texture2D uploaded(GLenum internalFormat, GLenum format, ivec2 size, const void* texels, std::string_view name) {
+    gl::Texture2D texture(internalFormat, size, name);
+    texture.bind(0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, format, GL_FLOAT, texels);
+    return texture;
+}
+
+} // namespace
+
+bool PixelPicture::advanceDirect(const scene::Snapshot& snapshot, const View& view, Deadline deadline) {
+    if (!direct_.advance(snapshot, view, deadline)) return false;
+    if (version_ == direct_.version()) return true;
+    version_ = direct_.version();
+    shares_.clear();
+    static_assert(sizeof(PixelLight::Share) == 2 * sizeof(float));
+    for (int light = 0; light < static_cast<int>(snapshot->lights.size()); ++light)
+        shares_.push_back(
+            uploaded(GL_RG32F, GL_RG, direct_.size(), direct_.sharesFromBelow(light).data(), "radiosity: direct light of pixels"));
+    return true;
+}
+
+bool PixelPicture::advanceGather(const PixelGather::Solution& solution, std::size_t samples, Deadline deadline) {
+    const bool isComplete = gather_.advance(solution, direct_, samples, deadline);
+    if (gather_.samples() > 0)
+        irradiance_ = uploaded(GL_RGBA32F, GL_RGBA, direct_.size(), gather_.irradianceFromBelow().data(), "radiosity: gathered light");
+    return isComplete;
+}
+
+void PixelPicture::useForLight(const Frame& frame, const gl::Program& program, int light) const {
+    glClear(GL_STENCIL_BUFFER_BIT);
+    gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+    shares_[static_cast<std::size_t>(light)].bind(gl::kFirstFreeUnit);
+    program.set("shares", gl::kFirstFreeUnit);
+}
+
+void PixelPicture::addDirect(const Frame& frame, int light, double exposureFactor) const {
+    gl::setAddLightState();
+    useForLight(frame, reflected_, light);
+    const scene::Light& source = frame.scene().light(light);
+    reflected_.set("areaRadiance", scene::hasArea(source) ? static_cast<float>(source.intensity) * source.color : vec3(0.0f));
+    reflected_.set("exposureFactor", static_cast<float>(exposureFactor));
+    gl::drawSurfaces(reflected_, frame.scene(), frame.buffers(), frame.eye());
+}
+
+void PixelPicture::addGathered(const Frame& frame, double exposureFactor) const {
+    gl::setAddLightState();
+    glClear(GL_STENCIL_BUFFER_BIT);
+    gl::useForMaterials(gathered_, frame.scene(), frame.buffers());
+    irradiance_.bind(gl::kFirstFreeUnit);
+    gathered_.set("irradiance", gl::kFirstFreeUnit);
+    gathered_.set("exposureFactor", static_cast<float>(exposureFactor));
+    gl::drawSurfaces(gathered_, frame.scene(), frame.buffers(), frame.eye());
+}
+
+void PixelPicture::drawVisibility(const Frame& frame, int light) const {
+    gl::setVisibilityState();
+    useForLight(frame, visibility_, light);
+    gl::drawSurfaces(visibility_, frame.scene(), frame.buffers(), frame.eye());
+}
+
+} // namespace shadowlab::radiosity

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/lights/pixel_light.h"
+
+#include <algorithm>
+#include <array>
+
+#include "techniques/foundation/trace/blocks.h"
+#include "techniques/foundation/trace/parallel.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+constexpr int kBlockSide = trace::SceneTracer::kBlock;
+constexpr std::size_t kBlockPixels = static_cast<std::size_t>(kBlockSide) * kBlockSide;
+
+} // namespace
+
+void PixelLight::restart(const scene::Snapshot& snapshot, const trace::SeenFrom& seenFrom) {
+    seenFrom_ = seenFrom;
+    normals_.emplace(tracer_);
+    seenBlocks_ = 0;
+    // Rows of blocks at the border may be smaller, but each block has room for a whole one.
+    points_.resize(trace::Blocks{seenFrom.size, kBlockSide}.count() * kBlockPixels);
+    lights_.clear();
+    lights_.resize(snapshot->lights.size());
+}
+
+bool PixelLight::advance(const scene::Snapshot& snapshot, const View& view, Deadline deadline) {
+    if (!tracer_.advance(snapshot, deadline)) return false;
+    if (const trace::SeenFrom seenFrom(*snapshot, view.camera, view.size); !normals_ || seenFrom != seenFrom_) restart(snapshot, seenFrom);
+    lights_.resize(snapshot->lights.size());
+    if (snapshot != snapshot_)
+        for (OfLight& ofLight : lights_)
+            ofLight.area.reset(); // it refers to the scene that it was made for
+    snapshot_ = snapshot;
+
+    const trace::Blocks blocks{seenFrom_.size, kBlockSide};
+    const trace::EyeRays rays = tracer_.eyeRays(view.camera, view.size);
+    seenBlocks_ = trace::parallelUntil(deadline, seenBlocks_, blocks.count(), [&](std::size_t block) { seeBlock(rays, block); });
+    if (seenBlocks_ < blocks.count()) return false;
+
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        OfLight& ofLight = lights_[i];
+        const int light = static_cast<int>(i);
+        if (ofLight.sharesFromBelow.empty() || ofLight.light != snapshot->lights[i]) {
+            const auto pixels = static_cast<std::size_t>(view.size.x) * static_cast<std::size_t>(view.size.y);
+            ofLight = {snapshot->lights[i], nullptr, std::vector<Share>(pixels), 0};
+        }
+        if (ofLight.nextBlock == blocks.count()) continue;
+        if (scene::hasArea(ofLight.light) && !ofLight.area) ofLight.area = std::make_unique<trace::AreaVisibility>(tracer_, light);
+        ofLight.nextBlock = trace::parallelUntil(deadline, ofLight.nextBlock, blocks.count(),
+                                                 [&](std::size_t block) { lightBlock(ofLight, light, block); });
+        if (ofLight.nextBlock < blocks.count()) return false;
+        ofLight.area.reset();
+        ++version_;
+    }
+    return true;
+}
+
+double PixelLight::done() const {
+    const std::size_t all = trace::Blocks{seenFrom_.size, kBlockSide}.count() * (lights_.size() + 1);
+    std::size_t done = seenBlocks_;
+    for (const OfLight& ofLight : lights_)
+        done += ofLight.nextBlock;
+    return all > 0 ? static_cast<double>(done) / static_cast<double>(all) : 1;
+}
+
+std::span<const trace::SurfacePoint> PixelLight::pointsOf(std::size_t block) const {
+    const trace::Blocks blocks{seenFrom_.size, kBlockSide};
+    const ivec2 size = blocks.sizeAt(blocks.corner(block));
+    return std::span(points_).subspan(block * kBlockPixels, static_cast<std::size_t>(size.x * size.y));
+}
+
+void PixelLight::seeBlock(const trace::EyeRays& rays, std::size_t block) {
+    const trace::Blocks blocks{seenFrom_.size, kBlockSide};
+    const ivec2 corner = blocks.corner(block), size = blocks.sizeAt(corner);
+    tracer_.eyePoints(rays, corner, size, dvec2(0.5), // through the centres of the pixels
+                      std::span(points_).subspan(block * kBlockPixels, static_cast<std::size_t>(size.x * size.y)));
+}
+
+// [anchor: light-on-a-pixel]
+void PixelLight::lightBlock(OfLight& ofLight, int light, std::size_t block) const {
+    const trace::Blocks blocks{seenFrom_.size, kBlockSide};
+    const ivec2 corner = blocks.corner(block), size = blocks.sizeAt(corner);
+    const std::span<const trace::SurfacePoint> points = pointsOf(block);
+    std::vector<Share> shares;
+    if (ofLight.area) {
+        shares = areaShares(*ofLight.area, points);
+    } else {
+        std::array<trace::Visibility, kBlockPixels> answers;
+        tracer_.visibilities(points, light, std::span(answers).first(points.size()));
+        for (std::size_t i = 0; i < points.size(); ++i)
+            shares.push_back({answers[i] == trace::Visibility::lit ? 1.0f : 0.0f, 0.0f});
+    }
+    for (int y = 0; y < size.y; ++y) {
+        const int rowFromBelow = seenFrom_.size.y - 1 - (corner.y + y);
+        std::copy_n(shares.begin() + y * size.x, size.x,
+                    ofLight.sharesFromBelow.begin() + static_cast<std::ptrdiff_t>(rowFromBelow) * seenFrom_.size.x + corner.x);
+    }
+}
+
+std::vector<PixelLight::Share> PixelLight::areaShares(const trace::AreaVisibility& area,
+                                                      std::span<const trace::SurfacePoint> points) const {
+    std::vector<trace::SurfacePoint> seen; // without the background
+    std::vector<dvec3> normalsWorld;
+    for (const trace::SurfacePoint& point : points) {
+        if (!point) continue;
+        seen.push_back(point);
+        const dvec3 toViewerWorld = glm::normalize(seenFrom_.camera.positionWorld - tracer_.positionWorld(point));
+        normalsWorld.push_back(normals_->towardWorld(toViewerWorld, point));
+    }
+    std::vector<trace::AreaIrradiance> found(seen.size());
+    if (!seen.empty()) area.irradiances(seen, normalsWorld, found);
+    std::vector<Share> shares(points.size());
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i]) {
+            shares[i] = {static_cast<float>(found[next].visible), static_cast<float>(found[next].irradiance)};
+            ++next;
+        }
+    return shares;
+}
+
+} // namespace shadowlab::radiosity

@@ -1,0 +1,118 @@
+// Final gather, held against a furnace, a closed form, and paths followed by chance.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/constants.hpp>
+
+#include "app/context/assets.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "tests/radiosity/scene_room.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/light_shares.h"
+
+namespace shadowlab {
+namespace {
+
+using RadiosityGatherTest = testing::GlTest;
+
+// Whatever direction a ray takes, it finds the same radiosity.
+TEST_F(RadiosityGatherTest, InAFurnaceEveryRayIsRight) {
+    scene::Scene scene = testing::emptyRoom({3, 2, 4});
+    scene.materials[0].emission = vec3(0.25f);
+    scene.materials[0].diffuse = vec3(0.5f);
+    scene.camera.positionWorld = {0.3, 1.2, 3.6};
+    scene.camera.targetWorld = {2, 0.7, 0};
+    scene.camera.fovYDegrees = 80;
+    testing::TechniqueSlot radiosity("radiosity", testing::snapshot(scene));
+    const std::vector<vec4> texels =
+        radiosity.radiance({"patches=150", "tolerance=1e-6", "gather=pixels", "gather-samples=3"}, {64, 48});
+    ASSERT_EQ(texels.size(), 64u * 48u);
+    for (const vec4& texel : texels)
+        ASSERT_NEAR(texel.g, 0.5, 0.5 / 512); // half floats have 11 bits, and two are added
+}
+
+// A floor below a wall that shines, wide and high: at the distance d from its foot the floor sees it at a form factor of
+// (1 - d / sqrt(d^2 + h^2)) / 2. One patch for all of the floor knows nothing of d; each pixel finds it.
+TEST_F(RadiosityGatherTest, BeforeAWallTheFloorIsItsClosedForm) {
+    constexpr double kHeight = 2, kWide = 2000;
+    scene::Scene scene;
+    scene.materials.resize(2);
+    scene.materials[0].diffuse = vec3(0.8f);
+    scene.materials[1].diffuse = vec3(0.0f);
+    scene.materials[1].emission = vec3(1.0f);
+    testing::addObject(scene, scene::makeQuad({8, 8}), testing::translation({0, 0, 4}));
+    testing::addObject(scene, scene::makeQuad({kWide, kHeight}),
+                       glm::rotate(testing::translation({0, kHeight / 2, 0}), glm::radians(90.0), dvec3(1, 0, 0)));
+    scene.objects[1].partMaterials = {1};
+    scene.camera.positionWorld = {0, 5, 4.001};
+    scene.camera.targetWorld = {0, 0, 4};
+    scene.camera.fovYDegrees = 40;
+    const ivec2 size{24, 24};
+    const auto meanError = [&](const std::string& gather) {
+        testing::TechniqueSlot radiosity("radiosity", testing::snapshot(scene));
+        const std::vector<vec4> texels =
+            radiosity.radiance({"patches=6", "surroundings=dark", gather, "gather-samples=4096"}, size);
+        double error = 0;
+        int compared = 0;
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const dvec3 direction = scene::rayDirectionWorld(scene.camera, dvec2(x, y) + 0.5, size);
+                const dvec3 point = scene.camera.positionWorld - scene.camera.positionWorld.y / direction.y * direction;
+                const double d = point.z, factor = (1 - d / std::hypot(d, kHeight)) / 2;
+                const double expected = static_cast<double>(scene.materials[0].diffuse.x) * factor; // rho / pi * pi L F
+                error += std::abs(static_cast<double>(texels[static_cast<std::size_t>(y * size.x + x)].g) - expected) / expected;
+                ++compared;
+            }
+        EXPECT_EQ(compared, size.x * size.y);
+        return error / compared;
+    };
+    EXPECT_LT(meanError("gather=pixels"), 0.02) << "of 4096 rays chosen by chance it would be 0.05: on average a twentieth of them meets the wall";
+    EXPECT_GT(meanError("gather=none"), 0.2) << "one number for all of the floor";
+}
+
+constexpr int kBlock = 6;
+
+/// Means of blocks of pixels, in which noise is a sixth.
+std::vector<dvec3> blocksOf(const std::vector<vec4>& texels, ivec2 size) {
+    std::vector<dvec3> means;
+    for (int y = 0; y < size.y; y += kBlock)
+        for (int x = 0; x < size.x; x += kBlock) {
+            dvec3 sum(0);
+            for (int i = 0; i < kBlock * kBlock; ++i)
+                sum += dvec3(texels[static_cast<std::size_t>((y + i / kBlock) * size.x + x + i % kBlock)]);
+            means.push_back(sum / static_cast<double>(kBlock * kBlock));
+        }
+    return means;
+}
+
+// The built-in room: collected by pixels it comes nearer to paths followed by chance.
+TEST_F(RadiosityGatherTest, ComesNearerToPathsFollowedByChance) {
+    const scene::Snapshot scene = scene::loadScene("cornell-room", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
+    const ivec2 size{96, 54};
+    const std::vector<dvec3> paths = blocksOf(testing::TechniqueSlot("ray-traced", scene)
+                                                  .radiance({"samples=256", "interreflection=true", "antialias=false"}, size),
+                                              size);
+    const auto difference = [&](const std::string& gather) {
+        const std::vector<dvec3> blocks = blocksOf(
+            testing::TechniqueSlot("radiosity", scene).radiance({gather, "gather-samples=128"}, size), size);
+        double sum = 0, squares = 0;
+        int compared = 0;
+        for (std::size_t i = 0; i < paths.size(); ++i) {
+            if (paths[i].g > 0.5) continue; // the lamp, or a piece of it
+            for (int c = 0; c < 3; ++c) {
+                sum += paths[i][c];
+                squares += std::pow(paths[i][c] - blocks[i][c], 2);
+            }
+            ++compared;
+        }
+        EXPECT_GT(compared, 60);
+        return std::sqrt(squares * 3 * compared) / sum; // the root of the mean square, relative to the mean
+    };
+    const double gathered = difference("gather=pixels"), interpolated = difference("gather=none");
+    EXPECT_LT(gathered, 0.02) << "the bound for rooms; half a hundredth of it is the scatter of paths";
+    EXPECT_LT(gathered, 0.85 * interpolated) << interpolated;
+}
+
+} // namespace
+} // namespace shadowlab
