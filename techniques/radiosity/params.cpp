@@ -110,14 +110,15 @@ params::ParamList describe(RadiosityParams& p) {
         onlyIf(showsPixels,
                inGroup(kDisplayGroup,
                        params::choice({"gather", "Final gather"}, p.gather,
-                                      {{"none", "no: between patches"}, {"pixels", "of each pixel"}},
-                                      "Whether each pixel collects the light that patches send by rays of its own, for contact "
-                                      "shadows and corners, in place of what is interpolated between patches. The picture gets "
-                                      "less noisy while one looks on."))),
-        onlyIf([&p, showsPixels] { return showsPixels() && p.gather == RadiosityParams::Gather::pixels; },
+                                      {{"none", "no: between patches"}, {"shared", "some pixels for all"}, {"pixels", "of each pixel"}},
+                                      "Who collects the light that patches send by rays of its own, for contact shadows and "
+                                      "corners: nobody, it is interpolated between patches; every sixteenth pixel, those beside it "
+                                      "where they may take that over, and all that may not; or each pixel, with noise that gets "
+                                      "less while one looks on."))),
+        onlyIf([&p, showsPixels] { return showsPixels() && p.gather != RadiosityParams::Gather::none; },
                inGroup(kDisplayGroup,
                        params::integer("gather-samples", p.gatherSamples, 1, kMostGathered, "rays",
-                                       "Rays that each pixel collects light along. A quarter of the noise takes 16 times as many."))),
+                                       "Rays that a pixel collects light along. A quarter of the noise takes 16 times as many."))),
         onlyIf(hasLightMap,
                inGroup(kDisplayGroup,
                        params::integer("light-map-points", p.lightMapPoints, 1, kMostPoints, "points",

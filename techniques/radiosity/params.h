@@ -29,7 +29,7 @@ struct RadiosityParams {
     enum class Display { interpolated, flat } display = Display::interpolated;
     enum class Direct { pixels, lightMap, patches } direct = Direct::pixels; ///< not shown flat
     int lightMapPoints = 60000;
-    enum class Gather { none, pixels } gather = Gather::none; ///< with direct light of pixels
+    enum class Gather { none, shared, pixels } gather = Gather::shared; ///< with direct light of pixels
     int gatherSamples = 64;
     double exposure = 0; ///< stops
     [[nodiscard]] double exposureFactor() const { return std::exp2(exposure); }

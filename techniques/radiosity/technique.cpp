@@ -65,7 +65,7 @@ public:
             frame.pass(
                 passInfo(kPasses, "light"), [&] { drawLitBy(showing, light + 1); }, light);
         frame.pass(passInfo(kPasses, "solve"), [&] { drawSolution(showing); });
-        if (!isFlat()) frame.pass(passInfo(kPasses, "display"), [&] { drawReflected(showing, direct, mayGather && pixels_.gathered() > 0); });
+        if (!isFlat()) frame.pass(passInfo(kPasses, "display"), [&] { drawReflected(showing, direct, mayGather && pixels_.hasGathered()); });
         for (int light = 0; direct.pixels && light < static_cast<int>(frame.scene().lights.size()); ++light)
             frame.pass(
                 passInfo(kPasses, "direct"), [&] { direct.pixels->addDirect(frame, light, params_.exposureFactor()); }, light);
@@ -206,19 +206,21 @@ private:
         if (showing.frame.stopsAfter() || isFlat()) showing.draw(balance_.radiosity(), false);
     }
 
-    [[nodiscard]] bool gathers() const { return showsPixels() && params_.gather == RadiosityParams::Gather::pixels; }
+    [[nodiscard]] bool gathers() const { return showsPixels() && params_.gather != RadiosityParams::Gather::none; }
 
-    /// True when each pixel has sent all its rays, or the frame stops before they are shown.
+    /// True when all rays are sent, or the frame stops before what they gather is shown.
     bool advanceGather(const Frame& frame, Deadline deadline) {
         if (frame.stopsAfter() && frame.stopsAfter()->id != "display" && frame.stopsAfter()->id != "direct") return true;
         std::vector<dvec3> reflected = balance_.irradianceShown();
         for (std::size_t i = 0; i < reflected.size(); ++i)
             reflected[i] -= sources_.fromLights[i];
-        const PixelGather::Solution solution{cache_, sources_, reflected, outside(*frame.snapshot()), balance_.version()};
-        return pixels_.advanceGather(solution, static_cast<std::size_t>(params_.gatherSamples), deadline);
+        const GatherSolution solution{cache_, sources_, reflected, outside(*frame.snapshot()), balance_.version()};
+        const auto rays = static_cast<std::size_t>(params_.gatherSamples);
+        if (params_.gather == RadiosityParams::Gather::pixels) return pixels_.advanceGather(solution, rays, deadline);
+        return pixels_.advanceSharedGather(solution, rays, deadline);
     }
 
-    /// What is reflected, as the pixels have gathered it; until the first of their rays have, interpolated between patches.
+    /// What is reflected, as pixels have gathered it; until they have, interpolated between patches.
     void drawReflected(const Showing& showing, const DirectShown& direct, bool isGathered) {
         if (!isGathered) return drawSmooth(showing, direct);
         drawEmission(showing.frame);

@@ -83,7 +83,7 @@ inline constexpr PassInfo kPasses[] = {
      .shownBy = "samples-per-pixel",
      .pseudocodeLines = {8, 8},
      .formula = "I = sum of the samples' I / samples",
-     .anchors = "eye-sample"},
+     .anchors = "eye-sample russian-roulette"},
 };
 
 inline constexpr StageInfo kTestsStage = {"intersection-tests",

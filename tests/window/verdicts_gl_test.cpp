@@ -232,7 +232,7 @@ TEST_F(WindowVerdictsTest, APictureThatIsNotYetWhatItsTitleSaysIsMarked) {
     EXPECT_EQ(window::progressOf(lab.ui, lab.screen.errors(), 0).front(), "");
     const std::vector<std::uint8_t> before = pixels(lab.screen);
     lab.screen.setPatience(std::chrono::milliseconds(0));
-    lab.ui.bench.change("", [](lab::Document& d) { d.panes[0].technique = "radiosity"; });
+    lab.ui.bench.change("", [](lab::Document& d) { d.panes[0].technique = "lecture-radiosity"; });
     lab.screen.frame(0.03);
     ASSERT_TRUE(lab.ui.bench.pane(0).showsAnother()) << "form factors are not found in no time";
     EXPECT_NE(window::progressOf(lab.ui, lab.screen.errors(), 0).front().find(" %"), std::string::npos);

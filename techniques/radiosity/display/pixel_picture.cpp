@@ -29,11 +29,27 @@ bool PixelPicture::advanceDirect(const scene::Snapshot& snapshot, const View& vi
     return true;
 }
 
-bool PixelPicture::advanceGather(const PixelGather::Solution& solution, std::size_t samples, Deadline deadline) {
-    const bool isComplete = gather_.advance(solution, direct_, samples, deadline);
-    if (gather_.samples() > 0)
-        irradiance_ = uploaded(GL_RGBA32F, GL_RGBA, direct_.size(), gather_.irradianceFromBelow().data(), "radiosity: gathered light");
+bool PixelPicture::advanceGather(const GatherSolution& solution, std::size_t rays, Deadline deadline) {
+    const bool isComplete = gather_.advance(solution, direct_, rays, deadline);
+    hasGathered_ = gather_.hasPicture();
+    if (const GatheredVersion version{false, gather_.version()}; hasGathered_ && version != gathered_) {
+        upload(gather_.irradianceFromBelow());
+        gathered_ = version;
+    }
     return isComplete;
+}
+
+bool PixelPicture::advanceSharedGather(const GatherSolution& solution, std::size_t rays, Deadline deadline) {
+    hasGathered_ = shared_.advance(solution, direct_, rays, deadline);
+    if (const GatheredVersion version{true, shared_.version()}; hasGathered_ && version != gathered_) {
+        upload(shared_.irradianceFromBelow());
+        gathered_ = version;
+    }
+    return hasGathered_;
+}
+
+void PixelPicture::upload(const std::vector<vec4>& irradianceFromBelow) {
+    irradiance_ = uploaded(GL_RGBA32F, GL_RGBA, direct_.size(), irradianceFromBelow.data(), "radiosity: gathered light");
 }
 
 void PixelPicture::useForLight(const Frame& frame, const gl::Program& program, int light) const {
@@ -55,11 +71,11 @@ void PixelPicture::addDirect(const Frame& frame, int light, double exposureFacto
 void PixelPicture::addGathered(const Frame& frame, double exposureFactor) const {
     gl::setAddLightState();
     glClear(GL_STENCIL_BUFFER_BIT);
-    gl::useForMaterials(gathered_, frame.scene(), frame.buffers());
+    gl::useForMaterials(gatheredLight_, frame.scene(), frame.buffers());
     irradiance_.bind(gl::kFirstFreeUnit);
-    gathered_.set("irradiance", gl::kFirstFreeUnit);
-    gathered_.set("exposureFactor", static_cast<float>(exposureFactor));
-    gl::drawSurfaces(gathered_, frame.scene(), frame.buffers(), frame.eye());
+    gatheredLight_.set("irradiance", gl::kFirstFreeUnit);
+    gatheredLight_.set("exposureFactor", static_cast<float>(exposureFactor));
+    gl::drawSurfaces(gatheredLight_, frame.scene(), frame.buffers(), frame.eye());
 }
 
 void PixelPicture::drawVisibility(const Frame& frame, int light) const {

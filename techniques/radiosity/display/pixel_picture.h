@@ -7,6 +7,7 @@
 #include "techniques/foundation/gl/texture.h"
 #include "techniques/frame.h"
 #include "techniques/radiosity/display/pixel_gather.h"
+#include "techniques/radiosity/display/shared_gather.h"
 #include "techniques/radiosity/lights/pixel_light.h"
 
 namespace shadowlab::radiosity {
@@ -15,10 +16,12 @@ class PixelPicture {
 public:
     /// Finds the direct light. True when it is complete.
     bool advanceDirect(const scene::Snapshot& snapshot, const View& view, Deadline deadline);
-    /// Gathers, once direct light is complete. True when each pixel has sent so many rays.
-    bool advanceGather(const PixelGather::Solution& solution, std::size_t samples, Deadline deadline);
-    /// How many rays each pixel has sent; with none there is nothing to show.
-    [[nodiscard]] std::size_t gathered() const { return gather_.samples(); }
+    /// Gathers for each pixel, once direct light is complete. True when each has sent so many rays.
+    bool advanceGather(const GatherSolution& solution, std::size_t rays, Deadline deadline);
+    /// Gathers for some pixels, and shares. True when all have their irradiance.
+    bool advanceSharedGather(const GatherSolution& solution, std::size_t rays, Deadline deadline);
+    /// Can what was gathered last be shown?
+    [[nodiscard]] bool hasGathered() const { return hasGathered_; }
 
     // All draw into the bound framebuffer, on the surfaces in its depth buffer, and clear the stencil.
 
@@ -30,15 +33,25 @@ public:
     void drawVisibility(const Frame& frame, int light) const;
 
 private:
+    void upload(const std::vector<vec4>& irradianceFromBelow);
     void useForLight(const Frame& frame, const gl::Program& program, int light) const;
 
     PixelLight direct_;
     PixelGather gather_;
+    SharedGather shared_;
+    /// Of what is on the graphics card: who has gathered it, and his version.
+    struct GatheredVersion {
+        bool isShared = false;
+        std::uint64_t version = 0;
+        friend bool operator==(const GatheredVersion&, const GatheredVersion&) = default;
+    };
+    GatheredVersion gathered_;
+    bool hasGathered_ = false;
     std::uint64_t version_ = 0; ///< of the direct light on the graphics card
     std::vector<gl::Texture2D> shares_;
     gl::Texture2D irradiance_;
     gl::Program reflected_{"surface.vert", "radiosity/pixel_light.frag"};
-    gl::Program gathered_{"surface.vert", "radiosity/gathered.frag"};
+    gl::Program gatheredLight_{"surface.vert", "radiosity/gathered.frag"};
     gl::Program visibility_{"surface.vert", "radiosity/pixel_light.frag", {"VISIBILITY_ONLY"}};
 };
 

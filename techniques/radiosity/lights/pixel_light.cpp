@@ -72,6 +72,17 @@ std::span<const trace::SurfacePoint> PixelLight::pointsOf(std::size_t block) con
     return std::span(points_).subspan(block * kBlockPixels, static_cast<std::size_t>(size.x * size.y));
 }
 
+const trace::SurfacePoint& PixelLight::pointAt(ivec2 pixel) const {
+    const trace::Blocks blocks{seenFrom_.size, kBlockSide};
+    const ivec2 place = pixel / kBlockSide, within = pixel % kBlockSide;
+    const auto block = static_cast<std::size_t>(place.y * blocks.grid().x + place.x);
+    return pointsOf(block)[static_cast<std::size_t>(within.y * blocks.sizeAt(blocks.corner(block)).x + within.x)];
+}
+
+dvec3 PixelLight::normalWorld(const trace::SurfacePoint& point) const {
+    return normals_->towardWorld(glm::normalize(seenFrom_.camera.positionWorld - tracer_.positionWorld(point)), point);
+}
+
 void PixelLight::seeBlock(const trace::EyeRays& rays, std::size_t block) {
     const trace::Blocks blocks{seenFrom_.size, kBlockSide};
     const ivec2 corner = blocks.corner(block), size = blocks.sizeAt(corner);
@@ -107,8 +118,7 @@ std::vector<PixelLight::Share> PixelLight::areaShares(const trace::AreaVisibilit
     for (const trace::SurfacePoint& point : points) {
         if (!point) continue;
         seen.push_back(point);
-        const dvec3 toViewerWorld = glm::normalize(seenFrom_.camera.positionWorld - tracer_.positionWorld(point));
-        normalsWorld.push_back(normals_->towardWorld(toViewerWorld, point));
+        normalsWorld.push_back(normalWorld(point));
     }
     std::vector<trace::AreaIrradiance> found(seen.size());
     if (!seen.empty()) area.irradiances(seen, normalsWorld, found);

@@ -37,10 +37,13 @@ public:
     [[nodiscard]] ivec2 size() const { return seenFrom_.size; }
     /// What the pixels show, and the rays that found it: for others who ask on from there (pixel_gather.h).
     [[nodiscard]] const trace::SceneTracer& tracer() const { return tracer_; }
-    [[nodiscard]] const trace::ShadingNormals& normals() const { return *normals_; }
     [[nodiscard]] const trace::SeenFrom& seenFrom() const { return seenFrom_; }
     /// Of a block of pixels (foundation/trace/blocks.h, kBlock on a side), row by row from its top.
     [[nodiscard]] std::span<const trace::SurfacePoint> pointsOf(std::size_t block) const;
+    /// Rows count from the top.
+    [[nodiscard]] const trace::SurfacePoint& pointAt(ivec2 pixel) const;
+    /// The shading normal there, on the eye's side.
+    [[nodiscard]] dvec3 normalWorld(const trace::SurfacePoint& point) const;
     /// Of all pixels; row 0 is at the bottom, as GL wants it.
     [[nodiscard]] const std::vector<Share>& sharesFromBelow(int light) const {
         return lights_[static_cast<std::size_t>(light)].sharesFromBelow;

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/display/gather_rays.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/constants.hpp>
+
+#include "techniques/foundation/math/perpendicular.h"
+#include "techniques/foundation/scene/query/shading.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+// Nearer than that is contact, metres.
+constexpr double kLeastDistance = 1e-9;
+
+/// A place of its own in the unit square for each pixel, by which the sequence of all pixels is shifted (R. Cranley and T. Patterson,
+/// "Randomization of Number Theoretic Methods for Multiple Integration", SIAM Journal on Numerical Analysis 13, 1976): else all pixels
+/// would make the same error, and one would see it as edges. The hash is SplitMix64 (Steele, Lea and Flood 2014).
+dvec2 shiftOf(ivec2 pixel) {
+    std::uint64_t key = static_cast<std::uint32_t>(pixel.x) | (static_cast<std::uint64_t>(static_cast<std::uint32_t>(pixel.y)) << 32);
+    key += 0x9e3779b97f4a7c15u;
+    key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9u;
+    key = (key ^ (key >> 27)) * 0x94d049bb133111ebu;
+    key ^= key >> 31;
+    return dvec2(static_cast<double>(key & 0xffffffffu), static_cast<double>(key >> 32)) * 0x1p-32;
+}
+
+/// The points of a sequence whose beginnings fill the unit square evenly, however long they are: multiples of the powers of 1 / p,
+/// where p^3 = p + 1 (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
+dvec2 pointOf(std::size_t number) {
+    constexpr double kPlastic = 1.3247179572447460;
+    return glm::fract((static_cast<double>(number) + 0.5) * dvec2(1 / kPlastic, 1 / (kPlastic * kPlastic)));
+}
+
+/// A direction about the normal; those near it are more likely, by the cosine, so all directions count alike.
+dvec3 cosineDirection(const dvec3& normal, const dvec2& place) {
+    const double radius = std::sqrt(place.x), turn = glm::two_pi<double>() * place.y;
+    const dvec3 u = perpendicularTo(normal), v = glm::cross(normal, u);
+    return radius * (std::cos(turn) * u + std::sin(turn) * v) + std::sqrt(std::max(0.0, 1 - place.x)) * normal;
+}
+
+/// The triangle's own normal, on the side from which the point was found.
+dvec3 geometricNormal(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
+    const trace::Triangle& t = tracer.bvh().triangles[point.primitive];
+    const dvec3 normal = glm::normalize(glm::cross(t.b - t.a, t.c - t.a));
+    return point.eyeOnFront ? normal : -normal;
+}
+
+std::optional<std::uint32_t> patchOf(const SurfaceCells& cells, const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
+    const scene::Mesh& mesh = *tracer.objectOf(point).mesh;
+    const std::uint32_t triangle = point.primitive - tracer.world().firstOfObject[tracer.world().objects[point.primitive]];
+    const dvec3 weights = point.barycentric();
+    dvec3 positionMesh(0);
+    for (int i = 0; i < 3; ++i)
+        positionMesh += weights[i] * dvec3(mesh.positionsMesh[mesh.triangles[triangle][i]]);
+    return patchAt(cells, point.primitive, point.eyeOnFront, vec3(positionMesh));
+}
+
+/// What the surface there sends, W/m^2.
+dvec3 radiosityAt(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
+    // What a lamp sends is direct light, which has been counted.
+    if (tracer.objectOf(point).emitterOfLight >= 0) return dvec3(0);
+    const auto patch = patchOf(solution.cache.cells(), tracer, point);
+    if (!patch) return dvec3(0); // the inside of a closed body: dark
+    dvec3 irradiance = solution.reflectedIrradiance[*patch];
+    for (int i = 0; i < static_cast<int>(tracer.scene().lights.size()); ++i) {
+        const scene::Light& source = tracer.scene().light(i);
+        if (scene::hasArea(source))
+            irradiance += solution.cache.light(i).irradiance[*patch];
+        else if (tracer.visibility(point, i) == trace::Visibility::lit)
+            irradiance += scene::irradiance(source, tracer.positionWorld(point), geometricNormal(tracer, point));
+    }
+    return solution.sources.emission[*patch] + solution.sources.reflectance[*patch] * irradiance;
+}
+
+} // namespace
+
+// [anchor: final-gather]
+Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 pixel, std::size_t first, std::size_t count) {
+    const trace::SurfacePoint& point = light.pointAt(pixel);
+    const trace::SceneTracer& tracer = light.tracer();
+    const dvec3 from = tracer.positionCentred(point), normal = light.normalWorld(point), flat = geometricNormal(tracer, point);
+    const dvec2 shift = shiftOf(pixel);
+    Gathered sum;
+    for (std::size_t i = first; i < first + count; ++i) {
+        const dvec3 leaning = cosineDirection(normal, glm::fract(pointOf(i) + shift));
+        // A smooth normal leans: what would go through the surface is turned back to its side. (Simplified: near the rim of a round
+        // body some directions then count twice, and others not at all.)
+        const dvec3 direction = leaning - 2 * std::min(0.0, glm::dot(leaning, flat)) * flat;
+        const trace::SurfacePoint met = tracer.nextPoint(point, direction);
+        if (met) {
+            sum.nearness += 1 / std::max(glm::distance(from, tracer.positionCentred(met)), kLeastDistance);
+            ++sum.met;
+        }
+        // A surface that sends B all over the half sphere brings B.
+        sum.irradiance += met ? radiosityAt(solution, tracer, met) : glm::pi<double>() * solution.outside;
+    }
+    return sum;
+}
+
+} // namespace shadowlab::radiosity

@@ -1,0 +1,48 @@
+// Final gather: the last reflection of the light, collected at one point.
+//
+// Patches hold what surfaces send each other as one number each; interpolated, it has no contact shadows, and colour bleeds no
+// farther into a corner than a patch is fine. So a point sends rays of its own over its half sphere and adds up what arrives
+// along them from the solved patches (M. F. Cohen and J. R. Wallace, "Radiosity and Realistic Image Synthesis", 1993, section 10.4;
+// H. E. Rushmeier, "Realistic Image Synthesis for Scenes with Radiatively Participating Media", 1988). What errors the patches have
+// is then seen only in the mean over all that the point sees.
+//
+// Where a ray ends, what lights without an area bring there is found by a shadow ray, since that has edges; all else is the patch's.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "techniques/radiosity/equations/light_balance.h"
+#include "techniques/radiosity/lights/pixel_light.h"
+#include "techniques/radiosity/room_cache.h"
+
+namespace shadowlab::radiosity {
+
+/// What is gathered.
+struct GatherSolution {
+    const RoomCache& cache;
+    const Sources& sources;
+    std::span<const dvec3> reflectedIrradiance; ///< of each patch, W/m^2: all but the direct light of lights
+    dvec3 outside{0.0};                         ///< radiance where a ray meets nothing
+    std::uint64_t version = 0;                  ///< changes with any of them
+};
+
+/// What has been gathered depends on this: while it is equal, it is kept.
+struct GatherKey {
+    std::uint64_t solution = 0;
+    trace::SeenFrom seenFrom;
+    std::vector<scene::Light> lights;
+    std::size_t rays = 0; ///< of a point
+    friend bool operator==(const GatherKey&, const GatherKey&) = default;
+};
+
+/// The sum over some rays; the irradiance by all but direct light is their mean, W/m^2.
+struct Gathered {
+    dvec3 irradiance{0.0};
+    double nearness = 0; ///< of 1 / distance of what was met, 1/m
+    std::size_t met = 0; ///< how many met something
+};
+
+/// From what a pixel shows: rays `first` to `first + count - 1` of its sequence. `light` must be complete.
+Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 pixel, std::size_t first, std::size_t count);
+
+} // namespace shadowlab::radiosity
