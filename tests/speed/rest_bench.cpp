@@ -125,7 +125,7 @@ int main(int argc, char** argv) {
         const auto context = shadowlab::context::createContext(shadowlab::context::Backend::automatic);
         std::vector<std::string> entries(argv + 1, argv + argc);
         if (entries.empty())
-            for (const auto& technique : shadowlab::techniquesOf(TechniqueGroup::production))
+            for (const auto& technique : shadowlab::techniquesOf(shadowlab::TechniqueGroup::production))
                 if (technique.info->id != "ray-traced") entries.emplace_back(technique.info->id);
         return shadowlab::run(entries, *context);
     } catch (const shadowlab::Error& error) {

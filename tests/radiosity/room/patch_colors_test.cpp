@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/radiosity/room/patch_colors.h"
 
+#include <gtest/gtest.h>
+
 #include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/foundation/scene/model/surface_color.h"
 #include "techniques/radiosity/room/room.h"

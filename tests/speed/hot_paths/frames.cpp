@@ -78,7 +78,7 @@ void radiosityByPatches(benchmark::State& state) {
         picture::Session session(testing::snapshot(scene));
         std::vector<picture::Slot> slots;
         slots.push_back(picture::Session::makeSlot("radiosity"));
-        lab::applySettings(slots, {"radiosity.patches=" + std::to_string(state.range(0))});
+        lab::applySettings(slots, {"radiosity.direct=light-map", "radiosity.patches=" + std::to_string(state.range(0))});
         session.render(slots[0], view);
     }
     state.SetComplexityN(state.range(0));
@@ -90,13 +90,14 @@ BENCHMARK(radiosityByPatches)
     ->UseRealTime() // on all cores
     ->Complexity(benchmark::oNSquared);
 
-/// Of a room that is solved: the eye moves.
-void radiosityByPixels(benchmark::State& state) {
+/// Of a room that is solved: the eye moves. A light map stays as it is; pixels ask anew.
+void radiosityByPixels(benchmark::State& state, const std::vector<std::string>& settings) {
     const scene::Scene scene = testing::simpleScene();
     picture::Session session(testing::snapshot(scene));
     std::vector<picture::Slot> slots;
     slots.push_back(picture::Session::makeSlot("radiosity"));
     lab::applySettings(slots, {"radiosity.patches=75"});
+    lab::applySettings(slots, settings);
     const auto width = static_cast<int>(state.range(0));
     View view;
     view.camera = scene.camera;
@@ -108,7 +109,21 @@ void radiosityByPixels(benchmark::State& state) {
     }
     state.SetComplexityN(std::int64_t{view.size.x} * view.size.y);
 }
-BENCHMARK(radiosityByPixels)
+BENCHMARK_CAPTURE(radiosityByPixels, light-map, std::vector<std::string>{"radiosity.direct=light-map"})
+    ->RangeMultiplier(2)
+    ->Range(160, 1280)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Complexity(benchmark::oN);
+/// Direct light of each pixel, between patches.
+BENCHMARK_CAPTURE(radiosityByPixels, direct, std::vector<std::string>{"radiosity.gather=none"})
+    ->RangeMultiplier(2)
+    ->Range(160, 1280)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Complexity(benchmark::oN);
+/// The same, and some pixels gather. In corners all of them do, and these are fewer where pixels are finer: less than in proportion.
+BENCHMARK_CAPTURE(radiosityByPixels, gather, std::vector<std::string>{})
     ->RangeMultiplier(2)
     ->Range(160, 1280)
     ->Unit(benchmark::kMillisecond)
