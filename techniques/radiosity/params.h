@@ -30,7 +30,7 @@ struct RadiosityParams {
     enum class Direct { pixels, lightMap, patches } direct = Direct::pixels; ///< not shown flat
     int lightMapPoints = 60000;
     enum class Gather { none, shared, pixels } gather = Gather::shared; ///< with direct light of pixels
-    int gatherSamples = 64;
+    int gatherSamples = 128;
     double exposure = 0; ///< stops
     [[nodiscard]] double exposureFactor() const { return std::exp2(exposure); }
     int bounce = 2, fromPatch = -1, toPatch = -1;

@@ -145,12 +145,12 @@ private:
         return balance_.advance({params_.tolerance, static_cast<std::size_t>(params_.steps)}, most, deadline);
     }
 
-    /// A picture for as long as form factors are still being found: direct light, where the pixels have it, and the scene's ambient
-    /// light as an estimate of all that is reflected.
+    /// A picture for as long as form factors are still being found: the scene's ambient light, as an estimate of all that is reflected,
+    /// and direct light, once the pixels have it.
     Progress drawBeforehand(Frame& frame, const std::optional<DirectShown>& found, double done) {
         frame.pass(passInfo(kPasses, "emission"), [&] {
             clear(frame);
-            if (found) drawLightsOff(frame, frame.scene().ambient);
+            drawLightsOff(frame, frame.scene().ambient);
         });
         for (int light = 0; found && found->pixels && light < static_cast<int>(frame.scene().lights.size()); ++light)
             frame.pass(

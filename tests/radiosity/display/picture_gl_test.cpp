@@ -93,7 +93,7 @@ TEST_F(RadiosityPictureTest, AgreesWithPathsFollowedByChance) {
                    "ray-traced", size);
     const std::vector<vec4> paths = traced.texels();
     for (const char* formFactors : {"form-factors=analytic", "form-factors=hemicube"}) {
-        // Pixels are too large here to share what they gather, and by 64 rays each of them scatters by three hundredths.
+        // Pixels are too large here to share what they gather, and by the usual rays each of them scatters by two hundredths.
         Drawing drawing(scene, {"patches=1200", "gather-samples=1024", formFactors}, "radiosity", size);
         const std::vector<vec4> patches = drawing.texels();
         double sum = 0, difference = 0;
