@@ -91,25 +91,26 @@ bool SharedGather::advance(const GatherSolution& solution, const PixelLight& lig
     };
     const auto gatherRecord = [&](std::size_t i) {
         const ivec2 cell(static_cast<int>(i) % cells().x, static_cast<int>(i) / cells().x);
-        records_[i] = recordAt(solution, light, latticePixel(cell));
+        records_[i] = recordAt(solution, light, latticePixel(cell), key_.rays);
     };
     nextRecord_ = trace::parallelUntil(deadline, nextRecord_, pieces(records_.size()), inPieces(records_.size(), gatherRecord));
     if (nextRecord_ < pieces(records_.size())) return false;
     if (!isShared_) share(light);
     isShared_ = true;
     const auto gatherAlone = [&](std::size_t i) {
-        const Record record = recordAt(solution, light, alone_[i]);
+        const Record record = recordAt(solution, light, alone_[i], (key_.rays + 1) / 2);
         pixelFromBelow(alone_[i]) = vec4(vec3(record.irradiance), 1.0f);
     };
     nextAlone_ = trace::parallelUntil(deadline, nextAlone_, pieces(alone_.size()), inPieces(alone_.size(), gatherAlone));
     return nextAlone_ == pieces(alone_.size());
 }
 
-SharedGather::Record SharedGather::recordAt(const GatherSolution& solution, const PixelLight& light, ivec2 pixel) const {
+SharedGather::Record SharedGather::recordAt(const GatherSolution& solution, const PixelLight& light, ivec2 pixel,
+                                            std::size_t count) const {
     const trace::SurfacePoint& point = light.pointAt(pixel);
     if (!point) return {};
-    const Gathered sum = gather(solution, light, pixel, 0, key_.rays);
-    const double rays = static_cast<double>(key_.rays);
+    const Gathered sum = gather(solution, light, pixel, 0, count);
+    const double rays = static_cast<double>(count);
     return {true, light.tracer().positionCentred(point), light.normalWorld(point), sum.irradiance / rays,
             static_cast<double>(sum.met) / std::max(sum.nearness, 1e-30)};
 }

@@ -17,7 +17,8 @@ namespace shadowlab::radiosity {
 class SharedGather {
 public:
     /// Goes on until every pixel has its irradiance (true) or the deadline has passed, but always does some work. Begins anew when the
-    /// solution, the scene or the eye is another one. `light` must be complete. `rays`: of each point that gathers.
+    /// solution, the scene or the eye is another one. `light` must be complete. `rays`: of each pixel of the lattice; one that
+    /// gathers by itself, on leaves and in corners, makes do with half.
     bool advance(const GatherSolution& solution, const PixelLight& light, std::size_t rays, Deadline deadline);
 
     /// Changes when another irradiance is there.
@@ -37,7 +38,7 @@ private:
     };
     [[nodiscard]] ivec2 cells() const;
     [[nodiscard]] ivec2 latticePixel(ivec2 cell) const;
-    [[nodiscard]] Record recordAt(const GatherSolution& solution, const PixelLight& light, ivec2 pixel) const;
+    [[nodiscard]] Record recordAt(const GatherSolution& solution, const PixelLight& light, ivec2 pixel, std::size_t count) const;
     void share(const PixelLight& light);
     [[nodiscard]] bool takeOver(const PixelLight& light, ivec2 pixel, dvec3& irradiance) const;
     [[nodiscard]] vec4& pixelFromBelow(ivec2 pixel);
