@@ -223,8 +223,7 @@ private:
     /// What is reflected, as pixels have gathered it; until they have, interpolated between patches.
     void drawReflected(const Showing& showing, const DirectShown& direct, bool isGathered) {
         if (!isGathered) return drawSmooth(showing, direct);
-        drawEmission(showing.frame);
-        pixels_.addGathered(showing.frame, params_.exposureFactor());
+        pixels_.drawGathered(showing.frame, params_.exposureFactor());
     }
 
     /// The irradiance stays on the graphics card while only the eye moves.

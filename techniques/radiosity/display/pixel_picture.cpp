@@ -68,8 +68,8 @@ void PixelPicture::addDirect(const Frame& frame, int light, double exposureFacto
     gl::drawSurfaces(reflected_, frame.scene(), frame.buffers(), frame.eye());
 }
 
-void PixelPicture::addGathered(const Frame& frame, double exposureFactor) const {
-    gl::setAddLightState();
+void PixelPicture::drawGathered(const Frame& frame, double exposureFactor) const {
+    gl::setVisibilityState();
     glClear(GL_STENCIL_BUFFER_BIT);
     gl::useForMaterials(gatheredLight_, frame.scene(), frame.buffers());
     irradiance_.bind(gl::kFirstFreeUnit);

@@ -27,8 +27,8 @@ public:
 
     /// Adds the radiance toward the eye that a light's direct light is reflected as.
     void addDirect(const Frame& frame, int light, double exposureFactor) const;
-    /// The same of what was gathered.
-    void addGathered(const Frame& frame, double exposureFactor) const;
+    /// Draws what the surfaces emit, and what they reflect of what was gathered.
+    void drawGathered(const Frame& frame, double exposureFactor) const;
     /// Red: the share of the light that is seen; green: 1 where there is a surface.
     void drawVisibility(const Frame& frame, int light) const;
 

@@ -33,6 +33,27 @@ TEST_F(RadiosityGatherTest, InAFurnaceEveryRayIsRight) {
     }
 }
 
+// Each stop doubles all there is in the picture: what is emitted, direct and gathered.
+TEST_F(RadiosityGatherTest, ExposureIsOfAllLight) {
+    const scene::Snapshot scene = scene::loadScene("cornell-room", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
+    testing::TechniqueSlot radiosity("radiosity", scene);
+    for (const std::string gather : {"gather=none", "gather=shared", "gather=pixels"}) {
+        const std::vector<std::string> few{"patches=100", "gather-samples=4", gather};
+        const std::vector<vec4> once = radiosity.radiance(few, {64, 36});
+        std::vector<std::string> brighter = few;
+        brighter.emplace_back("exposure=1");
+        const std::vector<vec4> twice = radiosity.radiance(brighter, {64, 36});
+        int compared = 0;
+        for (std::size_t i = 0; i < once.size(); ++i) {
+            if (glm::all(glm::lessThan(glm::abs(vec3(once[i]) - scene->background), vec3(1e-4f)))) continue; // the background stays
+            for (int c = 0; c < 3; ++c)
+                ASSERT_NEAR(twice[i][c], 2 * once[i][c], 0.002f * twice[i][c] + 1e-5f) << gather; // half floats, two added
+            ++compared;
+        }
+        EXPECT_GT(compared, 1000);
+    }
+}
+
 // A floor below a wall that shines, wide and high: at the distance d from its foot the floor sees it at a form factor of
 // (1 - d / sqrt(d^2 + h^2)) / 2. One patch for all of the floor knows nothing of d; each pixel finds it.
 TEST_F(RadiosityGatherTest, BeforeAWallTheFloorIsItsClosedForm) {
