@@ -110,7 +110,7 @@ params::ParamList describe(RadiosityParams& p) {
         onlyIf(showsPixels,
                inGroup(kDisplayGroup,
                        params::choice({"gather", "Final gather"}, p.gather,
-                                      {{"none", "no: between patches"}, {"shared", "some pixels for all"}, {"pixels", "of each pixel"}},
+                                      {{"none", "between patches"}, {"shared", "some pixels for all"}, {"pixels", "of each pixel"}},
                                       "Who collects the light that patches send by rays of its own, for contact shadows and "
                                       "corners: nobody, it is interpolated between patches; every sixteenth pixel, those beside it "
                                       "where they may take that over, and all that may not; or each pixel, with noise that gets "
