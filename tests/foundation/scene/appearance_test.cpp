@@ -16,10 +16,10 @@ const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\
 const std::string kImaged = "mtllib m.mtl\n" + kSquare + "usemtl m\nf 1/1 2/2 3/3 4/4\n";
 
 /// A picture of two columns: red, and green.
-std::string redAndGreen() {
+std::string redAndGreen(std::uint8_t alphaOfGreen = 255) {
     image::Image picture(2, 1);
     picture.set(0, 0, {255, 0, 0, 255});
-    picture.set(1, 0, {0, 255, 0, 255});
+    picture.set(1, 0, {0, 255, 0, alphaOfGreen});
     const std::vector<std::uint8_t> bytes = image::encodePng(picture, {});
     return {bytes.begin(), bytes.end()};
 }
@@ -27,6 +27,7 @@ std::string redAndGreen() {
 ObjFile loaded(const std::string& mtl, const std::string& obj = kImaged) {
     const TempFolder folder;
     folder.write("two.png", redAndGreen());
+    folder.write("leaf.png", redAndGreen(0));
     folder.write("m.mtl", "newmtl m\n" + mtl);
     return loadObj(folder.write("m.obj", obj), NormalMode::file, {});
 }
@@ -50,6 +51,17 @@ TEST(MapKd, IsMultipliedWithKdAndStandsAloneWithoutOne) {
     EXPECT_EQ(black.materials[0].diffuse, vec3(1.0f)) << "black would hide the image";
     EXPECT_EQ(both.materials[0].colorImage->at({0.25, 0.5}, false), vec3(1, 0, 0));
     EXPECT_TRUE(both.notes.empty());
+}
+
+TEST(MapKd, TransparentPartsAreDrawnOpaqueAndThatIsNoted) {
+    const ObjFile twice = loaded("map_Kd leaf.png\nnewmtl n\nmap_Kd leaf.png\n", kImaged + "usemtl n\nf 1/1 2/2 3/3\n");
+    ASSERT_EQ(twice.materials.size(), 2u);
+    EXPECT_EQ(twice.materials[0].colorImage->at({0.75, 0.5}, false), vec3(0, 1, 0));
+    ASSERT_EQ(twice.notes.size(), 1u);
+    EXPECT_TRUE(twice.notes[0].ends_with("m.mtl:2: material 'm': map_Kd \"leaf.png\" has transparent parts, which are drawn opaque; to cut "
+                                         "them out, name the image with map_d as well (and 1 more material)"))
+        << twice.notes[0];
+    EXPECT_TRUE(loaded("map_Kd leaf.png\nmap_d leaf.png\n").notes.empty()) << "they are cut out";
 }
 
 TEST(MapKd, TakesOptionsBeforeAndAfterTheName) {
@@ -98,6 +110,17 @@ TEST(VertexColors, AreSrgbAndGoWithTheMaterialOfTheFile) {
     EXPECT_EQ(withNormals(file.mesh, NormalMode::smooth).colors.size(), 3u);
 }
 
+TEST(VertexColors, BeyondTheirRangeAreNoted) {
+    const ObjFile below = loaded("", "v 0 0 0 1 -0.5 0\nv 1 0 0 0 1 -1\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_EQ(below.mesh.colors[0], vec3(1, 0, 0));
+    ASSERT_EQ(below.notes.size(), 1u);
+    EXPECT_TRUE(below.notes[0].ends_with("m.obj:1: a vertex colour below 0 is read as 0 (and 1 more time)")) << below.notes[0];
+    const ObjFile above = loaded("", "v 0 0 0 300 0 0\nv 1 0 0 0 255 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_EQ(above.mesh.colors[0], vec3(1, 0, 0));
+    ASSERT_EQ(above.notes.size(), 2u);
+    EXPECT_TRUE(above.notes[1].ends_with("m.obj:1: a vertex colour above 255 is read as 255")) << above.notes[1];
+}
+
 // A roof of two squares that meet at a right angle along an edge, which the file lists twice.
 TEST(SmoothingGroups, RoundAnEdgeOnlyWithinAGroup) {
     const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 1 0 -1\nv 1 1 -1\nv 1 1 0\n";
@@ -118,6 +141,10 @@ TEST(SmoothingGroups, RoundAnEdgeOnlyWithinAGroup) {
     EXPECT_EQ(normalsAtEdge("s 1\n" + one + "s 2\n" + other).size(), 2u);
     EXPECT_EQ(normalsAtEdge("s 1\n" + one + "s off\n" + other).size(), 2u);
     EXPECT_EQ(normalsAtEdge("s on\n" + one + other).size(), 1u);
+    const ObjFile hexadecimal = loaded("", corners + "s 0x1\n" + one + "s -1\n" + other);
+    ASSERT_EQ(hexadecimal.notes.size(), 1u);
+    EXPECT_TRUE(hexadecimal.notes[0].ends_with("m.obj:9: s without a group's number (0 to 4294967295, on or off) is read as s off (and 1 more time)"))
+        << hexadecimal.notes[0];
     EXPECT_EQ(normalsAtEdge("vn 0 0 1\ns 1\nf 1//1 2//1 3//1 4//1\n" + other).size(), 2u) << "a normal of the file stays";
 }
 

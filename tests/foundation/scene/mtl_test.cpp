@@ -122,6 +122,24 @@ TEST(Mtl, WhatMapsDropIsNoted) {
                   mtl + ":3: material 'a': map_Kd \"b.png\" is ignored: it cannot be read: No such file or directory"}));
 }
 
+TEST(Mtl, AFurtherMapOfTheSameImageIsNoted) {
+    const TempFolder folder;
+    const std::string mtl = folder.write("m.mtl", "newmtl a\nmap_Kd -s 2 2 a.png\nmap_Kd a.png\n").string();
+    const ObjFile obj = loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n"), NormalMode::file, {});
+    ASSERT_FALSE(obj.notes.empty());
+    EXPECT_EQ(obj.notes[0], mtl + ":3: a further map_Kd of one material takes the place of the one before it, which is ignored");
+}
+
+TEST(Mtl, AChannelOfAColourAndOneThatDoesNotExistAreNoted) {
+    const TempFolder folder;
+    const std::string mtl =
+        folder.write("m.mtl", "newmtl a\nmap_Kd -imfchan r a.png\nmap_d -imfchan q a.png\nmap_d -imfchan z a.png\n").string();
+    const ObjFile obj = loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n"), NormalMode::file, {});
+    ASSERT_GE(obj.notes.size(), 2u);
+    EXPECT_EQ(obj.notes[0], mtl + ":2: option -imfchan of map_Kd is not supported and ignored");
+    EXPECT_EQ(obj.notes[1], mtl + ":3: option -imfchan of map_d is not supported and ignored");
+}
+
 TEST(Mtl, ABackslashBehindABlankContinuesAStatement) {
     const TempFolder folder;
     const auto notes = [&](const std::string& text) {

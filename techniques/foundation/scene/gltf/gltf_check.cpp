@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/gltf/gltf_schema.h"
@@ -54,6 +55,7 @@ public:
         checkVersion(root);
         checkRequiredExtensions(root);
         writeObject(root, gltfSchema(), top);
+        noteUnmetExtensions(root);
         return std::move(text_);
     }
 
@@ -93,6 +95,15 @@ private:
             if (!isServedExtension(name.string))
                 fail(name, place, "names " + inQuotes(name.string) + ", which this program does not have; export the model without it");
         }
+    }
+
+    /// What an extension of the list does may show nowhere as a key: as a kind of buffer, or as a value that the standard does not have.
+    void noteUnmetExtensions(const JsonValue& root) {
+        const JsonValue* used = gltfMember(root, "extensionsUsed");
+        if (!used || used->kind != Kind::array) return;
+        for (const JsonValue& name : used->items)
+            if (name.kind == Kind::string && !isServedExtension(name.string) && !metExtensions_.contains(name.string))
+                notes_.add("the extension " + inQuotes(name.string) + " is left out", "extensionsUsed", name.offset);
     }
 
     void writeObject(const JsonValue& value, std::span<const GltfKey> schema, const Place& place) {
@@ -290,6 +301,7 @@ private:
         for (const JsonMember& member : value.members) {
             const auto key = std::ranges::find(known, member.key, &GltfKey::name);
             const Place inside{&place, member.key};
+            metExtensions_.insert(member.key);
             if (key == known.end() || key->kind == GltfKey::Kind::ignored) {
                 const bool hasNote = key != known.end() && !key->note.empty();
                 notes_.add(hasNote ? std::string(key->note) : "the extension " + inQuotes(member.key) + " is left out",
@@ -307,6 +319,7 @@ private:
     const JsonDocument& document_;
     GltfNotes& notes_;
     std::string text_;
+    std::set<std::string_view> metExtensions_;
     std::map<std::string_view, std::size_t> sizes_; ///< of arrays that references are into
 };
 

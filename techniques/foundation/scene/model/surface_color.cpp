@@ -40,6 +40,7 @@ ColorImage::ColorImage(const image::Image& image, const ImageGain& gain) : size_
             for (const std::uint8_t byte : {texel.r, texel.g, texel.b})
                 texels_.push_back(withGain(byte, gain));
             texels_.push_back(255);
+            isPartlyTransparent_ = isPartlyTransparent_ || texel.a < 255;
         }
 }
 

@@ -22,18 +22,21 @@ struct ImageGain {
 
 class ColorImage {
 public:
-    /// Colours as they stand in a file, sRGB-encoded; alpha does not matter.
+    /// Colours as they stand in a file, sRGB-encoded; alpha changes nothing, but see isPartlyTransparent().
     explicit ColorImage(const image::Image& image, const ImageGain& gain = {});
 
     /// Linear RGB, interpolated between the centres of texels. `place`: see ImagePlacement.
     [[nodiscard]] vec3 at(const dvec2& place, bool clamped) const;
     [[nodiscard]] ivec2 size() const { return size_; }
+    /// Has the file texels with an alpha below 255? Here they are as opaque as the others.
+    [[nodiscard]] bool isPartlyTransparent() const { return isPartlyTransparent_; }
     /// Four bytes per texel, r, g, b and 255, sRGB-encoded, rows from the bottom: as OpenGL counts them.
     [[nodiscard]] const std::vector<std::uint8_t>& texels() const { return texels_; }
 
 private:
     [[nodiscard]] vec3 texel(ivec2 place, bool clamped) const;
     ivec2 size_;
+    bool isPartlyTransparent_ = false;
     std::vector<std::uint8_t> texels_;
 };
 

@@ -131,6 +131,9 @@ void MaterialLibraries::readImages(const MtlStatements& statements, Material& ma
         material.colorPlacement = map->placement;
         readImage("map_Kd", *map, material, material.diffuseMap,
                   [&](const auto& path) { material.colorImage = images_.colors(path, {map->base, map->gain}, limits); });
+        if (material.colorImage && material.colorImage->isPartlyTransparent() && !material.alphaMask && drawnOpaque_++ == 0)
+            firstDrawnOpaque_ = map->place + ": material '" + shown(material.name) + "': map_Kd \"" + shown(map->file) +
+                                "\" has transparent parts, which are drawn opaque; to cut them out, name the image with map_d as well";
     }
 }
 
@@ -169,7 +172,9 @@ std::string MaterialLibraries::pictureAsFound(const MtlMap& map, const std::stri
     return written;
 }
 
-void MaterialLibraries::noteMisnamed() {
+void MaterialLibraries::noteWhatWasFound() {
+    if (drawnOpaque_ > 0)
+        notes_.push_back(firstDrawnOpaque_ + (drawnOpaque_ > 1 ? " (and " + counted(drawnOpaque_ - 1, "more material") + ")" : ""));
     misnamedLibraries_.appendTo(notes_);
     misnamedPictures_.appendTo(notes_);
 }

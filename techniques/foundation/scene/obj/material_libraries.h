@@ -35,8 +35,8 @@ public:
     /// and the material has none: the mesh is usable without it.
     [[nodiscard]] Material material(const tinyobj::material_t& mtl);
 
-    /// On files that were found under another name.
-    void noteMisnamed();
+    /// Notes on files that were found under another name, and on images that are not drawn whole.
+    void noteWhatWasFound();
 
 private:
     [[nodiscard]] std::string asFound(const std::string& written, const ObjReference& library);
@@ -60,6 +60,8 @@ private:
     std::uint64_t materials_ = 0;                           ///< of them all
     std::map<std::string, MtlStatements> more_;             ///< of each material; the first library to define one counts
     ImageFiles images_;
+    std::size_t drawnOpaque_ = 0; ///< images with transparent parts that are drawn opaque
+    std::string firstDrawnOpaque_;
     std::vector<std::string>& notes_;
 };
 

@@ -139,11 +139,12 @@ private:
         const std::size_t line = lines_.line();
         MtlMap parsed = parseMtlMap(onOneLine(lines_.restOfStatement()));
         parsed.place = lines_.place(line);
+        if (keyword == "map_Kd" && parsed.channel != MaskChoice::Channel::alphaOrBrightness) parsed.ignored.emplace_back("-imfchan");
         for (const std::string& option : parsed.ignored)
             ignore("option " + option + " of " + keyword + " is not supported and ignored", line);
         if (parsed.file.empty()) return ignore(keyword + " names no image and is ignored", line);
         auto& kept = keyword == "map_d" ? statements_.alphaMap : statements_.diffuseMap;
-        if (kept && kept->file != parsed.file)
+        if (kept)
             ignore("a further " + keyword + " of one material takes the place of the one before it, which is ignored", line);
         kept = std::move(parsed);
     }

@@ -65,6 +65,10 @@ std::optional<double> finiteNumber(std::string_view word) {
     return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
+void ignore(const Option& option, MtlMap& map) {
+    if (std::ranges::find(map.ignored, option.name) == map.ignored.end()) map.ignored.emplace_back(option.name);
+}
+
 void apply(const Option& option, std::span<const std::string_view> values, MtlMap& map) {
     const auto number = [&](std::size_t i, double otherwise) {
         return i < values.size() ? finiteNumber(values[i]).value_or(otherwise) : otherwise;
@@ -78,9 +82,13 @@ void apply(const Option& option, std::span<const std::string_view> values, MtlMa
         constexpr std::array kChannels{std::pair{'r', red},   std::pair{'g', green},      std::pair{'b', blue},
                                        std::pair{'m', alpha}, std::pair{'l', brightness}, std::pair{'z', brightness}};
         for (const auto& [letter, channel] : kChannels)
-            if (values[0] == std::string_view(&letter, 1)) map.channel = channel;
-    } else if (!option.isSilent && std::ranges::find(map.ignored, option.name) == map.ignored.end())
-        map.ignored.emplace_back(option.name);
+            if (values[0] == std::string_view(&letter, 1)) {
+                map.channel = channel;
+                return;
+            }
+        ignore(option, map);
+    } else if (!option.isSilent)
+        ignore(option, map);
 }
 
 /// Applies the options that begin at `word`; the first word after them.

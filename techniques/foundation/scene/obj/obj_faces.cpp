@@ -147,7 +147,7 @@ ObjFaces readFaces(ObjScan& scan, const std::filesystem::path& file, const LoadO
             continue; // LoadMtl adds a nameless one for an empty file
         collector.faces.materials.push_back(libraries.material(mtl));
     }
-    libraries.noteMisnamed();
+    libraries.noteWhatWasFound();
     nameAsDefined(scan, file, known, collector.faces);
     noteUnknownMaterials(scan, file, known, collector.faces);
     return std::move(collector.faces);

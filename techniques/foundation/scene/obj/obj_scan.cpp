@@ -99,6 +99,8 @@ void Scanner::color(const vec3& stored) {
     constexpr vec3 kWhite(1.0f);
     scan_.colors.resize(scan_.positions.size() - 1, kWhite); // vertices before this one had none
     scan_.colors.push_back(stored);
+    if (glm::any(glm::lessThan(stored, vec3(0.0f)))) others_.count(lines_, "a vertex colour below 0 is read as 0");
+    if (glm::any(glm::greaterThan(stored, vec3(255.0f)))) others_.count(lines_, "a vertex colour above 255 is read as 255");
     if (scan_.colorsInBytes == 0 && glm::any(glm::greaterThan(stored, kWhite))) scan_.colorsInBytes = lines_.line();
 }
 

@@ -252,6 +252,10 @@ TEST(GltfErrors, UnknownKeysAndExtensionsAreNoted) {
     EXPECT_TRUE(contains(notes, "nodes[0]: the unknown key \"postion\" is ignored (2 times in the file)")) << notes;
     EXPECT_TRUE(contains(notes, "materials[0]: the extension \"KHR_materials_sheen\" is left out")) << notes;
     EXPECT_FALSE(contains(notes, "extras")) << notes;
+    made.json["extensionsUsed"] = {"KHR_materials_sheen", "KHR_lights_punctual", "EXT_meshopt_compression"};
+    const std::string more = joinedNotes(made.parsed().notes);
+    EXPECT_TRUE(contains(more, "extensionsUsed: the extension \"EXT_meshopt_compression\" is left out")) << more;
+    EXPECT_FALSE(contains(more, "extensionsUsed: the extension \"KHR")) << more << "\nnoted where it is used, or served";
 }
 
 TEST(GltfErrors, KindsOfNotesHaveAnEnd) {
