@@ -2,10 +2,9 @@
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <numeric>
 #include <tuple>
-#include <unordered_set>
 
 #include "techniques/foundation/base/disjoint_sets.h"
 
@@ -13,18 +12,24 @@ namespace shadowlab::scene {
 
 namespace {
 
-/// For each vertex, the first vertex at exactly the same place.
+/// For each vertex, the first vertex at exactly the same place: found by a hash table with linear probing.
 std::vector<std::uint32_t> weld(const std::vector<vec3>& positions) {
-    std::vector<std::uint32_t> order(positions.size()), representative(positions.size());
-    std::iota(order.begin(), order.end(), 0u);
-    const auto key = [&](std::uint32_t i) { return std::array{positions[i].x, positions[i].y, positions[i].z}; };
-    std::ranges::sort(order, [&](std::uint32_t i, std::uint32_t j) {
-        const auto a = key(i), b = key(j);
-        return a != b ? a < b : i < j;
-    });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool sameAsBefore = i > 0 && positions[order[i]] == positions[order[i - 1]];
-        representative[order[i]] = sameAsBefore ? representative[order[i - 1]] : order[i];
+    constexpr std::uint32_t kEmpty = ~std::uint32_t{0};
+    std::vector<std::uint32_t> slots(std::bit_ceil(2 * positions.size() + 1), kEmpty), representative(positions.size());
+    for (std::uint32_t i = 0; i < positions.size(); ++i) {
+        std::uint64_t hash = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto bits = std::bit_cast<std::uint32_t>(positions[i][axis] + 0.0f); // -0 becomes 0, to which it is equal
+            hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;                                // a multiple of the golden ratio spreads bits evenly
+            hash ^= hash >> 29;
+        }
+        for (std::size_t at = hash;; ++at) {
+            std::uint32_t& slot = slots[at & (slots.size() - 1)];
+            if (slot == kEmpty) slot = i;
+            if (slot != i && positions[slot] != positions[i]) continue;
+            representative[i] = slot;
+            break;
+        }
     }
     return representative;
 }
@@ -64,26 +69,32 @@ MeshTopology buildTopology(const Mesh& mesh) {
     MeshTopology topology;
     topology.welded = weld(mesh.positionsMesh);
 
-    // One record per triangle side, named by its undirected edge; sorting brings the sides of one edge together.
+    // One record per triangle side, named by its undirected edge from a to b > a. They are put in the order of a by counting, and then
+    // those of each a in the order of b, which brings the sides of one edge together.
     struct Side {
         std::uint32_t a, b;
         EdgeUse use;
     };
-    std::vector<Side> sides;
-    sides.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        for (int corner = 0; corner < 3; ++corner) {
-            const std::uint32_t from = topology.welded[mesh.triangles[t][corner]];
-            const std::uint32_t to = topology.welded[mesh.triangles[t][(corner + 1) % 3]];
-            if (from == to) continue; // a side without length bounds nothing
-            const bool forward = from < to;
-            sides.push_back({std::min(from, to), std::max(from, to), {t, static_cast<std::int8_t>(forward ? 1 : -1)}});
-        }
-    }
-    std::ranges::sort(sides, [](const Side& x, const Side& y) {
-        return std::tie(x.a, x.b, x.use.triangle, x.use.direction) <
-               std::tie(y.a, y.b, y.use.triangle, y.use.direction);
-    });
+    std::vector<std::uint32_t> begins(mesh.positionsMesh.size() + 1, 0); // where the sides of each a begin
+    const auto forEachSide = [&](const auto& visit) {
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+            for (int corner = 0; corner < 3; ++corner) {
+                const std::uint32_t from = topology.welded[mesh.triangles[t][corner]];
+                const std::uint32_t to = topology.welded[mesh.triangles[t][(corner + 1) % 3]];
+                if (from == to) continue; // a side without length bounds nothing
+                const auto direction = static_cast<std::int8_t>(from < to ? 1 : -1);
+                visit(Side{std::min(from, to), std::max(from, to), {t, direction}});
+            }
+    };
+    forEachSide([&](const Side& side) { ++begins[side.a + 1]; });
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    std::vector<Side> sides(begins.back());
+    std::vector<std::uint32_t> next(begins.begin(), begins.end() - 1);
+    forEachSide([&](const Side& side) { sides[next[side.a]++] = side; });
+    for (std::size_t a = 0; a + 1 < begins.size(); ++a)
+        std::sort(sides.begin() + begins[a], sides.begin() + begins[a + 1], [](const Side& x, const Side& y) {
+            return std::tie(x.b, x.use.triangle, x.use.direction) < std::tie(y.b, y.use.triangle, y.use.direction);
+        });
 
     topology.uses.reserve(sides.size());
     for (const Side& side : sides) {
@@ -110,10 +121,9 @@ MeshReport reportMesh(const Mesh& mesh, const MeshTopology& topology) {
     report.vertices = mesh.positionsMesh.size();
     report.components = components(mesh, topology);
     report.edges = topology.edges.size();
-    std::unordered_set<std::uint32_t> vertices;
+    std::vector<bool> isUsed(mesh.positionsMesh.size(), false);
     for (const Edge& edge : topology.edges) {
-        vertices.insert(edge.a);
-        vertices.insert(edge.b);
+        isUsed[edge.a] = isUsed[edge.b] = true;
         switch (kindOf(topology, edge)) {
         case EdgeKind::closed: break;
         case EdgeKind::boundary: ++report.boundaryEdges; break;
@@ -121,7 +131,7 @@ MeshReport reportMesh(const Mesh& mesh, const MeshTopology& topology) {
         case EdgeKind::inconsistent: ++report.inconsistentEdges; break;
         }
     }
-    report.weldedVertices = vertices.size();
+    report.weldedVertices = static_cast<std::uint64_t>(std::ranges::count(isUsed, true));
     return report;
 }
 

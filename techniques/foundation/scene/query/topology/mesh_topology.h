@@ -26,7 +26,7 @@ struct MeshTopology {
     std::vector<std::uint32_t> welded; ///< of each vertex, the vertex that stands for it
 };
 
-/// Welds vertices by exact position and collects every edge with all its triangles. O(n log n).
+/// Welds vertices by exact position and collects every edge with all its triangles. O(n), but where very many edges meet in a vertex.
 MeshTopology buildTopology(const Mesh& mesh);
 
 /// What an edge says about the surface there.
