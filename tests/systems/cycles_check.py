@@ -8,8 +8,8 @@ latter two with N samples for each pixel (4096). Compared is the mean radiance o
 pair: by how much the sum of all blocks differs, the root of the mean square of the blocks' differences, and the largest of them, all
 as shares of the mean radiance. Before that three lamps above a plane are held against closed forms, in Cycles and in ours.
 
-All three send the rays of a pixel through its centre, so outlines are where they are. Left out, and counted, are blocks that show a
-piece of a lamp, and those that show nothing but the background.
+All three send the rays of a pixel through its centre, Cycles within a hundredth of a pixel: so outlines are where they are, and pixels that have one
+so near to their centre are left out. So are blocks that show a piece of a lamp, and those that show nothing but the background. All are counted.
 
 The program writes PNG alone, so each picture is taken four times, at exposures a few hundredths apart, at which no compared pixel is
 at its largest value. It is decoded, and the mean taken: what 8 bits round off falls another way each time. The four pictures of paths and of Cycles
@@ -28,14 +28,15 @@ import subprocess
 import sys
 import tempfile
 import zlib
-from dataclasses import dataclass
 from pathlib import Path
 
 from cycles_scenes import LAMPS, TRIALS, for_blender, radiance_under, under_one_lamp
 
 SKIPPED = 77
 BLOCK = 8
+FEWEST_PIXELS = 48  # of the 64 of a block; one with more at edges is left out
 TAKES = 4
+MARK_SAMPLES = 256
 BRIGHTEST = 0.8  # what the brightest pixel that is no lamp comes to, of what 8 bits can hold
 STEP = 0.931  # from one exposure to the next, so that no two round alike
 LIGHTS = 16  # pixels along an edge of the pictures of lamps above a plane
@@ -46,27 +47,7 @@ PATHS_RMS, PATHS_TOTAL = 0.01, 0.005
 LONGEST = 7200  # seconds, for one command
 
 
-@dataclass
-class Blocks:
-    """Means of blocks: `takes` of them, each a list of three numbers for each block."""
-    takes: list
-
-    def mean(self):
-        return [[sum(take[b][c] for take in self.takes) / len(self.takes) for c in range(3)] for b in range(len(self.takes[0]))]
-
-    def scatter(self, compared):
-        """The standard error of the mean, RMS over blocks and colours, as a share of the mean radiance."""
-        mean, n = self.mean(), len(self.takes)
-        squares = sum((take[b][c] - mean[b][c]) ** 2 for take in self.takes for b in compared for c in range(3))
-        return math.sqrt(squares / (n * (n - 1)) / (3 * len(compared))) / level(mean, compared)
-
-
-def level(blocks, compared):
-    return sum(sum(blocks[b]) for b in compared) / (3 * len(compared))
-
-
 def run(words):
-    # The four pictures of a scene are drawn one after another, and so leave the machine to others.
     done = subprocess.run([str(word) for word in words], capture_output=True, text=True, errors="replace", check=False, timeout=LONGEST)
     if done.returncode:
         raise SystemExit(f"{' '.join(map(str, words))}\nended with {done.returncode}: {done.stdout[-2000:]}{done.stderr[-2000:]}")
@@ -114,27 +95,12 @@ def linear(byte):
 LINEAR = [linear(byte) for byte in range(256)]
 
 
-def in_blocks(values, size):
-    """Means of blocks of a picture, three values a pixel."""
-    across, down = size[0] // BLOCK, size[1] // BLOCK
-    means = []
-    for block in range(across * down):
-        pixels = [(y * size[0] + x) * 3 for y, x in pixels_of(block, across)]
-        means.append([sum(values[at + c] for at in pixels) / len(pixels) for c in range(3)])
-    return means
-
-
-def pixels_of(block, across):
-    top, left = block // across * BLOCK, block % across * BLOCK
-    return [(y, x) for y in range(top, top + BLOCK) for x in range(left, left + BLOCK)]
-
-
 class Ours:
     def __init__(self, program, folder):
         self.program, self.folder = program, folder
 
     def picture(self, scene, size, exposure, technique, *settings):
-        """Linear radiance, three numbers a pixel, and the pixels of which a channel is at its largest value."""
+        """Linear radiance, three numbers a pixel, and the pixels (counted) of which a channel is at its largest value."""
         file, out = self.folder / "scene.json", self.folder / f"{technique}.png"
         file.write_text(json.dumps({**scene, "exposure": exposure}), encoding="utf-8")
         words = [word for setting in settings for word in ("--set", f"{technique}.{setting}")]
@@ -146,17 +112,8 @@ class Ours:
                 pixel = row[x * channels:x * channels + 3]
                 values += [LINEAR[byte] / exposure for byte in pixel]
                 if 255 in pixel:
-                    full.add((y, x))
+                    full.add(y * size[0] + x)
         return values, full
-
-    def takes(self, trial, brightest, settings_of):
-        takes, full = [], set()
-        for take in range(TAKES):
-            technique, *settings = settings_of(take)
-            values, over = self.picture(trial.scene, trial.size, BRIGHTEST / brightest * STEP ** take, technique, *settings)
-            takes.append(in_blocks(values, trial.size))
-            full |= over
-        return Blocks(takes), full
 
 
 def by_cycles(jobs, folder):
@@ -192,62 +149,93 @@ def complaints_about_lamps(ours, folder):
 
 
 def marked(scene):
-    """The same, lit by nothing: red what shines, green all other surfaces, blue the background."""
-    polygons = [{**polygon, "reflectance": [0, 0, 0], "radiance": [1, 0, 0] if any(polygon["radiance"]) else [0, 1, 0]}
-                for polygon in scene["polygons"]]
-    return {**scene, "polygons": polygons, "lamps": [], "background": [0, 0, 1]}
+    """The same, lit by nothing: red where something shines, green the polygon's number, blue its square; the background is black."""
+    polygons = [{**polygon, "reflectance": [0, 0, 0], "radiance": [float(any(polygon["radiance"])), number, number ** 2]}
+                for number, polygon in enumerate(scene["polygons"], 1)]
+    return {**scene, "polygons": polygons, "lamps": [], "background": [0, 0, 0]}
 
 
-def blocks_to_compare(marks, size):
-    """Those that show neither a lamp nor the background alone; and how many show a lamp, and how many the background."""
-    across, compared, lamps, empty = size[0] // BLOCK, [], 0, 0
-    for block in range(len(marks) // 3 // BLOCK ** 2):
-        places = [(y * size[0] + x) * 3 for y, x in pixels_of(block, across)]
-        if any(marks[at] for at in places):
-            lamps += 1
-        elif all(marks[at + 2] for at in places):
-            empty += 1
-        else:
-            compared.append(block)
-    return compared, lamps, empty
+class Blocks:
+    """Which blocks of a picture are compared, and which pixels of them."""
+
+    def __init__(self, marks, size):
+        self.size, self.across, self.compared, self.lamps, self.empty = size, size[0] // BLOCK, [], 0, 0
+        # The mean of squares is the square of the mean where all samples have met the same polygon.
+        at_edge = {at // 3 for at in range(0, len(marks), 3) if abs(marks[at + 2] - marks[at + 1] ** 2) > 1e-4 * (1 + marks[at + 2])}
+        self.at_edges = len(at_edge)
+        self.places = []  # of the pixels of each block
+        for block in range(self.across * (size[1] // BLOCK)):
+            top, left = block // self.across * BLOCK, block % self.across * BLOCK
+            pixels = [y * size[0] + x for y in range(top, top + BLOCK) for x in range(left, left + BLOCK)]
+            shines, shows = any(marks[3 * at] for at in pixels), any(marks[3 * at + 1] for at in pixels)
+            self.lamps += shines
+            self.empty += not shows
+            self.places.append([at for at in pixels if at not in at_edge])
+            if shows and not shines and len(self.places[-1]) >= FEWEST_PIXELS:
+                self.compared.append(block)
+
+    def means(self, values):
+        """Of a picture, three values a pixel: three for each block that is compared."""
+        return {block: [sum(values[3 * at + c] for at in self.places[block]) / len(self.places[block]) for c in range(3)]
+                for block in self.compared}
+
+    def where(self, block):
+        return f"{block % self.across},{block // self.across}"
 
 
-def difference(a, b, compared, across):
-    """Of blocks `a` from blocks `b`: that of the sum, RMS, the largest, and where it is, all as shares of b's mean."""
-    mean = level(b, compared)
-    off = {(n, c): (a[n][c] - b[n][c]) / mean for n in compared for c in range(3)}
+def mean_of(takes):
+    return {block: [sum(take[block][c] for take in takes) / len(takes) for c in range(3)] for block in takes[0]}
+
+
+def level(blocks):
+    return sum(map(sum, blocks.values())) / (3 * len(blocks))
+
+
+def scatter(takes):
+    """The standard error of the takes' mean, RMS over blocks and colours, as a share of the mean radiance."""
+    mean, n = mean_of(takes), len(takes)
+    squares = sum((take[b][c] - mean[b][c]) ** 2 for take in takes for b in mean for c in range(3))
+    return math.sqrt(squares / (n * (n - 1)) / (3 * len(mean))) / level(mean)
+
+
+def difference(a, b):
+    """Of blocks `a` from blocks `b`: that of the sum, RMS, the largest, and its block and colour; all as shares of b's mean."""
+    off = {(block, c): (a[block][c] - b[block][c]) / level(b) for block in b for c in range(3)}
     worst = max(off, key=lambda at: abs(off[at]))
-    return (level(a, compared) / mean - 1, math.sqrt(sum(o * o for o in off.values()) / len(off)), off[worst],
-            f"{worst[0] % across},{worst[0] // across} {'red green blue'.split()[worst[1]]}")
+    return level(a) / level(b) - 1, math.sqrt(sum(o * o for o in off.values()) / len(off)), off[worst], worst
 
 
 def complaints_about(trial, ours, samples, folder):
-    size, across = trial.size, trial.size[0] // BLOCK
     each = max(1, samples // TAKES)
-    scene = for_blender(trial.scene, size)
+    scene = for_blender(trial.scene, trial.size)
     *drawn, marks = by_cycles([*({"scene": scene, "samples": each, "seed": take} for take in range(TAKES)),
-                               {"scene": marked(scene), "samples": 1, "seed": 0}], folder)
-    compared, lamps, empty = blocks_to_compare(marks, size)
-    brightest = max(picture[(y * size[0] + x) * 3 + c] for picture in drawn for b in compared for y, x in pixels_of(b, across)
-                    for c in range(3))
-    pictures = {"Cycles": Blocks([in_blocks(picture, size) for picture in drawn])}
-    pictures["radiosity"], full = ours.takes(trial, brightest, lambda take: ["radiosity"])
-    pictures["paths"], over = ours.takes(trial, brightest, lambda take: [
-        "ray-traced", f"samples={each}", "interreflection=true", "antialias=false", f"seed={take}"])
-    (folder / f"{trial.name.replace(' ', '-')}.json").write_text(
-        json.dumps({name: blocks.mean() for name, blocks in pictures.items()} | {"compared": compared}), encoding="utf-8")
+                               {"scene": marked(scene), "samples": MARK_SAMPLES, "seed": 0}], folder)
+    blocks = Blocks(marks, trial.size)
+    used = [at for block in blocks.compared for at in blocks.places[block]]
+    brightest = max(max(picture[3 * at:3 * at + 3]) for picture in drawn for at in used)
+    takes = {"radiosity": [], "paths": [], "Cycles": [blocks.means(picture) for picture in drawn]}
+    full = set()
+    for take in range(TAKES):
+        exposure = BRIGHTEST / brightest * STEP ** take
+        for name, technique, *settings in (("radiosity", "radiosity"), ("paths", "ray-traced", f"samples={each}", "interreflection=true",
+                                                                         "antialias=false", f"seed={take}")):
+            values, over = ours.picture(trial.scene, trial.size, exposure, technique, *settings)
+            takes[name].append(blocks.means(values))
+            full |= over
+    means = {name: mean_of(several) for name, several in takes.items()}
+    (folder / f"{trial.name.replace(' ', '-')}.json").write_text(json.dumps(means), encoding="utf-8")
 
-    clipped = sum(any(pixel in full | over for pixel in pixels_of(block, across)) for block in compared)
-    print(f"\n{trial.name}, {size[0]} x {size[1]}: {len(compared)} blocks; left out: {lamps} that show a lamp, {empty} that show no "
-          f"surface. By chance: Cycles {100 * pictures['Cycles'].scatter(compared):.2f} %, paths "
-          f"{100 * pictures['paths'].scatter(compared):.2f} %.")
-    if len(compared) < trial.least_blocks:
-        yield f"{trial.name}: only {len(compared)} blocks are compared; {trial.least_blocks} should be"
-    if clipped:
-        yield f"{trial.name}: {clipped} of the compared blocks have pixels that are brighter than the picture can hold"
+    print(f"\n{trial.name}, {trial.size[0]} x {trial.size[1]}: {len(blocks.compared)} of {len(blocks.places)} blocks; left out: {blocks.lamps} that "
+          f"show a lamp, {blocks.empty} that show no surface, and {blocks.at_edges} pixels at edges. By chance: Cycles "
+          f"{100 * scatter(takes['Cycles']):.2f} %, paths {100 * scatter(takes['paths']):.2f} %.")
+    if len(blocks.compared) < trial.least_blocks:
+        yield f"{trial.name}: only {len(blocks.compared)} blocks are compared; {trial.least_blocks} should be"
+    if clipped := len(full.intersection(used)):
+        yield f"{trial.name}: {clipped} of the compared pixels are brighter than the picture can hold"
     for a, b in (("radiosity", "Cycles"), ("radiosity", "paths"), ("paths", "Cycles")):
-        total, rms, worst, where = difference(pictures[a].mean(), pictures[b].mean(), compared, across)
-        print(f"| {trial.name} | {a} | {b} | {100 * total:+.2f} % | {100 * rms:.2f} % | {100 * worst:+.1f} % ({where}) |", flush=True)
+        total, rms, worst, (block, color) = difference(means[a], means[b])
+        print(f"| {trial.name} | {a} | {b} | {100 * total:+.2f} % | {100 * rms:.2f} % | {100 * worst:+.1f} % (block {blocks.where(block)}, "
+              f"{'red green blue'.split()[color]}) |", flush=True)
         if a == "radiosity" and rms > trial.allowed:
             yield f"{trial.name}: blocks of radiosity are {100 * rms:.2f} % off those of {b}; {100 * trial.allowed:.0f} % are allowed"
         if a == "paths" and (rms > PATHS_RMS or abs(total) > PATHS_TOTAL):

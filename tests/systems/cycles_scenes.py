@@ -117,7 +117,7 @@ def white_room():
 TRIALS = (
     Trial("Cornell room", cornell_room(), (80, 80), ROOM, 90),
     Trial("yard under a sun", yard(), (96, 56), OUTDOORS, 80),
-    Trial("room behind a door", door(True), (128, 72), LAMP_IN_A_FACE, 140),
+    Trial("room behind a door", door(True), (96, 56), LAMP_IN_A_FACE, 80),
     Trial("lamp in a hole", door(False), (96, 56), ROOM, 80),
     Trial("white closed room", white_room(), (96, 56), ROOM, 80),
 )
