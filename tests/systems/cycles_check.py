@@ -3,17 +3,18 @@
 
 cycles_check.py PROGRAM [--samples N] [--scene WORD] [--keep FOLDER]
 
-Four scenes (cycles_scenes.py) are drawn by radiosity as it is by default, by `ray-traced` with `interreflection`, and by Cycles, the
-latter two with N samples for each pixel (4096). Compared is the mean radiance of blocks of 8 x 8 pixels in red, green and blue. Printed for each
-pair: by how much the sum of all blocks differs, the root of the mean square of the blocks' differences, and the largest of them, all
-as shares of the mean radiance. Before that three lamps above a plane are held against closed forms, in Cycles and in ours.
+Scenes (cycles_scenes.py) are drawn by radiosity as it is by default, by `ray-traced` with `interreflection`, and by Cycles, the latter
+two with N samples for each pixel (4096). Compared is the mean radiance of blocks of 8 x 8 pixels in red, green and blue. Printed
+for each pair: by how much the sum of all blocks differs, the root of the mean square of the blocks' differences, and the largest of
+them, all as shares of the mean radiance. Before that three lamps above a plane are held against closed forms, in Cycles and in ours.
 
-All three send the rays of a pixel through its centre, Cycles within a hundredth of a pixel: so outlines are where they are, and pixels that have one
-so near to their centre are left out. So are blocks that show a piece of a lamp, and those that show nothing but the background. All are counted.
+All three send the rays of a pixel through its centre, Cycles within a hundredth of a pixel. So outlines are where they are, and
+pixels that have one so near to their centre are left out. So are blocks that show a piece of a lamp, and those that show nothing but
+the background. All are counted.
 
 The program writes PNG alone, so each picture is taken four times, at exposures a few hundredths apart, at which no compared pixel is
-at its largest value. It is decoded, and the mean taken: what 8 bits round off falls another way each time. The four pictures of paths and of Cycles
-are also of other random numbers, a quarter of the samples each, and their scatter says how exact their mean is.
+at its largest value. It is decoded, and the mean taken: what 8 bits round off falls another way each time. The four pictures of
+paths and of Cycles are also of other random numbers, a quarter of the samples each, and their scatter says how exact their mean is.
 
 Ends with 77 (skipped) without SHADOWLAB_LONG in the environment, or without Blender; with 1 where something is over its bound."""
 # SPDX-License-Identifier: MIT
@@ -225,8 +226,8 @@ def complaints_about(trial, ours, samples, folder):
     means = {name: mean_of(several) for name, several in takes.items()}
     (folder / f"{trial.name.replace(' ', '-')}.json").write_text(json.dumps(means), encoding="utf-8")
 
-    print(f"\n{trial.name}, {trial.size[0]} x {trial.size[1]}: {len(blocks.compared)} of {len(blocks.places)} blocks; left out: {blocks.lamps} that "
-          f"show a lamp, {blocks.empty} that show no surface, and {blocks.at_edges} pixels at edges. By chance: Cycles "
+    print(f"\n{trial.name}, {trial.size[0]} x {trial.size[1]}: {len(blocks.compared)} of {len(blocks.places)} blocks; left out: "
+          f"{blocks.lamps} that show a lamp, {blocks.empty} that show no surface, and {blocks.at_edges} pixels at edges. By chance: Cycles "
           f"{100 * scatter(takes['Cycles']):.2f} %, paths {100 * scatter(takes['paths']):.2f} %.")
     if len(blocks.compared) < trial.least_blocks:
         yield f"{trial.name}: only {len(blocks.compared)} blocks are compared; {trial.least_blocks} should be"
