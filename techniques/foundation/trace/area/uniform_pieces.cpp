@@ -12,8 +12,8 @@ namespace {
 // thousand roundings, and 1e-12 of the polygon's width.
 constexpr double kOnLine = 1e-12;
 
-// With so few contours in a piece, halving it first gains nothing.
-constexpr std::size_t kFew = 6;
+// With so few contours in a piece, each is compared with each other.
+constexpr std::size_t kFew = 24;
 
 // Contours that meet in one place cannot be told apart by halving, so it ends after so many times: pieces of a 4096th.
 constexpr int kMostHalvings = 12;
@@ -22,6 +22,23 @@ double valueAt(const dvec3& function, dvec2 place) { return function.x * place.x
 
 double roundingOf(const dvec3& function, dvec2 place) {
     return kOnLine * (std::abs(function.x * place.x) + std::abs(function.y * place.y) + std::abs(function.z));
+}
+
+/// The sign of the function there; 0: on its line.
+int sideOf(const dvec3& function, dvec2 place) {
+    const double value = valueAt(function, place), rounding = roundingOf(function, place);
+    return value > rounding ? 1 : value < -rounding ? -1 : 0;
+}
+
+/// Leaves out what of the way from begin to end lies where the function is negative; false: all of it does.
+bool keepPart(dvec2& begin, dvec2& end, const dvec3& function) {
+    const double atBegin = valueAt(function, begin), atEnd = valueAt(function, end);
+    if (atBegin < 0 && atEnd < 0) return false;
+    if (atBegin < 0)
+        begin += atBegin / (atBegin - atEnd) * (end - begin);
+    else if (atEnd < 0)
+        end = begin + atBegin / (atBegin - atEnd) * (end - begin);
+    return true;
 }
 
 /// Calls add(corner) for the part where sign times the function is not negative.
@@ -76,11 +93,31 @@ void UniformPieces::cut(std::span<const dvec2> outline, std::span<const Contour>
     contours_ = contours;
     visit_ = &visit;
     corners_.assign(outline.begin(), outline.end());
-    chosen_.clear();
+    parts_.clear();
     const Range whole{0, corners_.size()};
     for (std::size_t i = 0; i < contours.size(); ++i)
-        if (crosses(contours[i], whole)) chosen_.push_back(static_cast<std::uint32_t>(i));
-    settle(whole, {0, chosen_.size()}, 0);
+        addPart(static_cast<std::uint32_t>(i), whole);
+    settle(whole, {0, parts_.size()}, 0);
+}
+
+/// If any of it lies within the piece.
+void UniformPieces::addPart(std::uint32_t contour, Range piece) {
+    const dvec3& line = contours_[contour].line;
+    bool left = false, right = false;
+    Part part{contour, {}, {}};
+    for (std::size_t i = 0; i < piece.count; ++i) {
+        const dvec2 here = corners_[piece.first + i], next = corners_[piece.first + (i + 1) % piece.count];
+        const int side = sideOf(line, here);
+        left = left || side > 0;
+        right = right || side < 0;
+        const double atHere = valueAt(line, here), atNext = valueAt(line, next);
+        if ((atHere >= 0) == (atNext >= 0)) continue;
+        // A line leaves a convex piece in one place, and enters it in another.
+        (atHere >= 0 ? part.begin : part.end) = here + atHere / (atHere - atNext) * (next - here);
+    }
+    if (left && right && keepPart(part.begin, part.end, contours_[contour].from) &&
+        keepPart(part.begin, part.end, contours_[contour].to))
+        parts_.push_back(part);
 }
 
 void UniformPieces::settle(Range piece, Range within, int halvings) {
@@ -89,29 +126,50 @@ void UniformPieces::settle(Range piece, Range within, int halvings) {
         (*visit_)(std::span(corners_).subspan(piece.first, piece.count));
         return;
     }
-    const std::size_t none = contours_.size();
-    std::size_t used = none;
-    dvec3 line;
-    if (within.count > kFew && halvings < kMostHalvings) {
-        dvec2 lower = corners_[piece.first], upper = lower;
-        for (std::size_t i = 1; i < piece.count; ++i) {
-            lower = glm::min(lower, corners_[piece.first + i]);
-            upper = glm::max(upper, corners_[piece.first + i]);
-        }
-        const dvec2 middle = 0.5 * (lower + upper);
-        line = upper.x - lower.x > upper.y - lower.y ? dvec3(1, 0, -middle.x) : dvec3(0, 1, -middle.y);
-        ++halvings;
-    } else {
-        used = chosen_[within.first];
-        line = contours_[used].line;
-    }
-    const std::size_t corners = corners_.size(), chosen = chosen_.size();
+    const bool halves = within.count > kFew && halvings < kMostHalvings;
+    const std::size_t used = halves ? parts_.size() : bestCut(within);
+    const dvec3 line = halves ? halving(piece) : contours_[parts_[used].contour].line;
+    const std::size_t corners = corners_.size(), parts = parts_.size();
     for (const double sign : {1.0, -1.0}) {
         const Range side = keptSide(piece, line, sign);
-        settle(side, stillWithin(side, within, used), halvings);
+        settle(side, stillWithin(within, used, line, sign), halvings + (halves ? 1 : 0));
         corners_.resize(corners);
-        chosen_.resize(chosen);
+        parts_.resize(parts);
     }
+}
+
+/// A line across the middle of the piece, where it is longer.
+dvec3 UniformPieces::halving(Range piece) const {
+    dvec2 lower = corners_[piece.first], upper = lower;
+    for (std::size_t i = 1; i < piece.count; ++i) {
+        lower = glm::min(lower, corners_[piece.first + i]);
+        upper = glm::max(upper, corners_[piece.first + i]);
+    }
+    const dvec2 middle = 0.5 * (lower + upper);
+    return upper.x - lower.x > upper.y - lower.y ? dvec3(1, 0, -middle.x) : dvec3(0, 1, -middle.y);
+}
+
+/// The part whose line splits fewest others.
+std::size_t UniformPieces::bestCut(Range within) const {
+    std::size_t best = within.first, least = within.count;
+    for (std::size_t i = within.first; i < within.first + std::min(within.count, kFew) && least > 0; ++i)
+        if (const std::size_t split = splitBy(contours_[parts_[i].contour].line, within, least); split < least) {
+            least = split;
+            best = i;
+        }
+    return best;
+}
+
+/// How many parts the line splits; stops counting at `atMost`.
+std::size_t UniformPieces::splitBy(const dvec3& line, Range within, std::size_t atMost) const {
+    std::size_t split = 0;
+    for (std::size_t i = within.first; i < within.first + within.count && split < atMost; ++i) {
+        const Part& part = parts_[i];
+        if ((valueAt(line, part.begin) < 0) != (valueAt(line, part.end) < 0) &&
+            sideOf(line, part.begin) * sideOf(line, part.end) < 0)
+            ++split;
+    }
+    return split;
 }
 
 UniformPieces::Range UniformPieces::keptSide(Range piece, const dvec3& line, double sign) {
@@ -122,31 +180,18 @@ UniformPieces::Range UniformPieces::keptSide(Range piece, const dvec3& line, dou
     return {first, corners_.size() - first};
 }
 
-UniformPieces::Range UniformPieces::stillWithin(Range piece, Range among, std::size_t except) {
-    const std::size_t first = chosen_.size();
-    for (std::size_t i = among.first; i < among.first + among.count; ++i)
-        if (chosen_[i] != except && crosses(contours_[chosen_[i]], piece)) chosen_.push_back(chosen_[i]);
-    return {first, chosen_.size() - first};
-}
-
-bool UniformPieces::crosses(const Contour& contour, Range piece) const {
-    bool left = false, right = false, afterFrom = false, beforeTo = false;
-    double before = 0;
-    for (std::size_t i = 0; i <= piece.count; ++i) {
-        const dvec2 here = corners_[piece.first + i % piece.count];
-        const double value = valueAt(contour.line, here), rounding = roundingOf(contour.line, here);
-        left = left || value > rounding;
-        right = right || value < -rounding;
-        if (i > 0 && ((before >= 0 && value <= 0) || (before <= 0 && value >= 0))) {
-            // Here the line leaves or enters the piece: does its part begin after both such places, or end before them?
-            const dvec2 last = corners_[piece.first + i - 1];
-            const dvec2 place = before == value ? here : last + before / (before - value) * (here - last);
-            afterFrom = afterFrom || valueAt(contour.from, place) >= -roundingOf(contour.from, place);
-            beforeTo = beforeTo || valueAt(contour.to, place) >= -roundingOf(contour.to, place);
-        }
-        before = value;
+/// Of parts that lay within a piece, those that lie within one side of its cut.
+UniformPieces::Range UniformPieces::stillWithin(Range among, std::size_t except, const dvec3& line, double sign) {
+    const std::size_t first = parts_.size();
+    for (std::size_t i = among.first; i < among.first + among.count; ++i) {
+        Part part = parts_[i];
+        const dvec3 function = sign * line;
+        const int atBegin = sideOf(function, part.begin), atEnd = sideOf(function, part.end);
+        if (i == except || (atBegin <= 0 && atEnd <= 0)) continue;
+        if (atBegin < 0 || atEnd < 0) keepPart(part.begin, part.end, function);
+        parts_.push_back(part);
     }
-    return left && right && afterFrom && beforeTo;
+    return {first, parts_.size() - first};
 }
 
 } // namespace shadowlab::trace

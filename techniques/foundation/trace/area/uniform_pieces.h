@@ -1,8 +1,8 @@
 // Cuts a convex polygon along contours (parts of lines), until no contour lies within a piece.
 //
 // A tree of cuts, as in Fuchs, Kedem and Naylor, "On Visible Surface Generation by A Priori Tree Structures", SIGGRAPH
-// 1980, in the plane. While many contours lie in one piece it is halved first: otherwise a round outline of many short
-// parts would be cut off one by one, each cut testing all contours.
+// 1980, in the plane. A cut goes on beyond its contour, to the border of the piece, so it may split others; chosen is the contour that
+// splits fewest. While many lie in one piece it is halved first: to compare all with all would cost more.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>
@@ -30,15 +30,23 @@ private:
     struct Range {
         std::size_t first, count;
     };
+    /// What of a contour lies within a piece.
+    struct Part {
+        std::uint32_t contour;
+        dvec2 begin, end;
+    };
     void settle(Range piece, Range within, int halvings);
-    [[nodiscard]] bool crosses(const Contour& contour, Range piece) const;
+    void addPart(std::uint32_t contour, Range piece);
+    [[nodiscard]] dvec3 halving(Range piece) const;
+    [[nodiscard]] std::size_t bestCut(Range within) const;
+    [[nodiscard]] std::size_t splitBy(const dvec3& line, Range within, std::size_t atMost) const;
     Range keptSide(Range piece, const dvec3& line, double sign);
-    Range stillWithin(Range piece, Range among, std::size_t except);
+    Range stillWithin(Range among, std::size_t except, const dvec3& line, double sign);
 
     std::span<const Contour> contours_;
     const Visit* visit_ = nullptr;
-    std::vector<dvec2> corners_;        ///< of the pieces that wait, a stack
-    std::vector<std::uint32_t> chosen_; ///< numbers of contours that lie within them, likewise
+    std::vector<dvec2> corners_; ///< of the pieces that wait, a stack
+    std::vector<Part> parts_;    ///< that lie within them, likewise
 };
 
 /// Positive for a counter-clockwise polygon.
