@@ -13,19 +13,8 @@ namespace shadowlab::trace {
 
 namespace {
 
-// The sign of a triangle's side counts as certain for a whole box of points when it is beyond rounding: a determinant of
-// coordinates is wrong by some 1e-15 of their cube.
-constexpr double kCertain = 1e-12;
-
 // Number of rays if triangles with holes cover the whole light; a piece gets its share of them.
 constexpr double kSamples = 1024;
-
-// Contours up to this share of the light's size beyond its border count for `change`, too: they may come before the light
-// when the point moves.
-constexpr double kMargin = 0.25;
-
-// The disc of a sphere is at least this share as wide as the sphere, from all points farther away than 1.4 radii.
-constexpr double kLeastDisc = 0.7;
 
 /// A part of an edge, from 0 at its first end to 1 at its second.
 struct Part {
@@ -38,53 +27,7 @@ struct Part {
     }
 };
 
-dvec3 normalOf(const Triangle& t) { return glm::cross(t.b - t.a, t.c - t.a); }
-
-/// The side of the triangle that the whole box is on; 0: on both, or not certain.
-int sideOf(const Triangle& t, const CentredBox& box) {
-    const dvec3 normal = normalOf(t), middle = 0.5 * (box.lower + box.upper), half = 0.5 * (box.upper - box.lower);
-    const dvec3 offset = middle - t.a;
-    const double height = glm::dot(normal, offset);
-    const double doubt =
-        glm::dot(glm::abs(normal), half + kCertain * (glm::abs(middle) + glm::abs(t.a) + half + glm::abs(offset)));
-    return height > doubt ? 1 : height < -doubt ? -1 : 0;
-}
-
 } // namespace
-
-AreaVisibility::Asker::Asker(const AreaVisibility& owner, const CentredBox& box, double largestMove,
-                             const std::vector<std::uint32_t>& candidates)
-    : owner_(owner), bvh_(owner.tracer_.bvh()) {
-    findEdges(box, candidates);
-    CentredBox around = box, light = owner.box_;
-    const double reach = glm::length(glm::max(glm::abs(light.upper - box.lower), glm::abs(box.upper - light.lower)));
-    around.grow(2 * kContact * reach + nearness(largestMove, reach));
-    light.grow(2 * kContact * reach);
-    for (const std::uint32_t primitive : candidates) {
-        perforated_ = perforated_ || owner.tracer_.mayHaveHoles(primitive);
-        const CentredBox own = boxOf(bvh_.triangles[primitive]);
-        if (own.touches(around) || own.touches(light)) near_.push_back(primitive);
-    }
-}
-
-/// Leaves out edges that are a contour for no point of the box.
-void AreaVisibility::Asker::findEdges(const CentredBox& box, const std::vector<std::uint32_t>& candidates) {
-    const SurfaceEdges& edges = owner_.edges_;
-    for (const std::uint32_t primitive : candidates)
-        for (const std::uint32_t number : edges.ofPrimitive(primitive)) {
-            bool certain = true;
-            int turn = 0;
-            for (const SurfaceEdges::Use& use : edges.uses(edges.edge(number))) {
-                if (!owner_.casts_[use.primitive]) continue;
-                const int side = sideOf(bvh_.triangles[use.primitive], box);
-                certain = certain && side != 0;
-                turn += side * use.direction;
-            }
-            if (!certain || turn != 0) edgeNumbers_.push_back(number);
-        }
-    std::ranges::sort(edgeNumbers_);
-    edgeNumbers_.erase(std::unique(edgeNumbers_.begin(), edgeNumbers_.end()), edgeNumbers_.end());
-}
 
 AreaShare AreaVisibility::Asker::ask(const SurfacePoint& point, double move) {
     // Within a sphere there is no disc; its centre answers for it.
@@ -103,22 +46,35 @@ AreaIrradiance AreaVisibility::Asker::askIrradiance(const SurfacePoint& point, c
         return {owner_.tracer_.visibility(point, owner_.number_) == Visibility::lit ? 1.0 : 0.0, 0.0, 0.0};
     const bool receives = owner_.tracer_.objectOf(point).receivesShadow;
     if (!receives) contours_.clear();
-    contours_.push_back({seen_.product(normalWorld)}); // the normal's horizon: each piece is above it or below
     AreaIrradiance answer;
     if (outline_.size() < 3) return {receives ? 0.0 : 1.0, 0.0, 0.0};
+    const Contour horizon{seen_.product(normalWorld)}; // of the normal
+    const std::vector<dvec2> aboveHorizon = keptPart(outline_, horizon.line);
+    if (aboveHorizon.size() >= 3) answer.unshadowed = irradianceOf(LightPiece(seen_, aboveHorizon), normalWorld);
+    if (!receives) return {1.0, answer.unshadowed, answer.unshadowed};
+    if (contours_.empty() && obstacles_->perforated.empty()) { // either all of it is seen, or nothing
+        const LightPiece whole(seen_, outline_);
+        if (!isFree(whole.middle())) return {0.0, 0.0, answer.unshadowed};
+        return {std::clamp(whole.area() / seen_.area, 0.0, 1.0), answer.unshadowed, answer.unshadowed};
+    }
+    contours_.push_back(horizon); // each piece is above it or below
     pieces_.cut(outline_, contours_, [&](std::span<const dvec2> polygon) {
         const LightPiece piece(seen_, polygon);
         if (!(piece.area() > 0)) return;
-        const Seen seen = receives ? seenOf(piece, polygon, normalWorld) : Seen{1, 1};
+        const Seen seen = seenOf(piece, polygon, normalWorld);
         answer.visible += piece.area() * seen.area;
-        if (!(glm::dot(normalWorld, seen_.toward(piece.middle())) > 0)) return;
-        // By rounding a piece of next to nothing may seem to have less than that.
-        const double whole = std::max(glm::dot(normalWorld, piece.vectorIrradiance()), 0.0) / glm::pi<double>();
-        answer.unshadowed += whole;
-        answer.irradiance += whole * seen.irradiance;
+        if (seen.irradiance > 0 && glm::dot(normalWorld, seen_.toward(piece.middle())) > 0)
+            answer.irradiance += irradianceOf(piece, normalWorld) * seen.irradiance;
     });
-    answer.visible = receives ? std::clamp(answer.visible / seen_.area, 0.0, 1.0) : 1.0;
+    answer.visible = std::clamp(answer.visible / seen_.area, 0.0, 1.0);
+    answer.irradiance = std::min(answer.irradiance, answer.unshadowed); // it is not more but by rounding
     return answer;
+}
+
+/// Of a piece that is seen wholly, above the normal's horizon; in the units of AreaIrradiance.
+double AreaVisibility::Asker::irradianceOf(const LightPiece& piece, const dvec3& normalWorld) const {
+    // By rounding a piece of next to nothing may seem to have less than that.
+    return std::max(glm::dot(normalWorld, piece.vectorIrradiance()), 0.0) / glm::pi<double>();
 }
 
 /// Finds what of the light is above the point's triangle, and the contours before it. False for points within a sphere.
@@ -134,7 +90,7 @@ bool AreaVisibility::Asker::lookFrom(const SurfacePoint& point, double move) {
     if (!seen) return false;
     seen_ = *seen;
 
-    dvec3 up = normalOf(bvh_.triangles[point.primitive]);
+    dvec3 up = frontOf(bvh_.triangles[point.primitive]);
     if (!point.eyeOnFront) up = -up;
     const dvec3 elevation = seen_.product(up);
     outline_.assign(seen_.outline.begin(), seen_.outline.end());
@@ -163,7 +119,7 @@ int AreaVisibility::Asker::turnAt(const SurfaceEdges::Edge& edge) const {
 
 /// How far the point is above a triangle's plane, times twice the triangle's area.
 double AreaVisibility::Asker::heightOver(const Triangle& triangle) const {
-    return glm::dot(normalOf(triangle), positionCentred_ - triangle.a);
+    return glm::dot(frontOf(triangle), positionCentred_ - triangle.a);
 }
 
 void AreaVisibility::Asker::addEdges() {
@@ -175,7 +131,7 @@ void AreaVisibility::Asker::addEdges() {
     const dvec2 middle(glm::dot(placeU, seen_.middle), glm::dot(placeV, seen_.middle));
     const dvec2 half = (1 + kMargin) * seen_.half;
     const double aslant = farthestOnLight() * glm::length(depth);
-    for (const std::uint32_t number : edgeNumbers_) {
+    for (const std::uint32_t number : obstacles_->edges) {
         const SurfaceEdges::Edge& edge = owner_.edges_.edge(number);
         const dvec3 first = edge.firstCentred - positionCentred_, second = edge.secondCentred - positionCentred_;
         // The part of it that is seen before the light and some way around.
@@ -205,17 +161,6 @@ void AreaVisibility::Asker::addEdges() {
     }
 }
 
-/// Within this distance from a point, things may move by more than the margin while the point moves. `farthest`: metres to
-/// the farthest place of the light.
-double AreaVisibility::Asker::nearness(double move, double farthest) const {
-    const scene::Light& light = owner_.light_;
-    const double leastHalf = light.type == scene::LightType::sphere
-                                 ? kLeastDisc * light.radius
-                                 : 0.5 * glm::length(glm::cross(light.edgeUWorld, light.edgeVWorld)) /
-                                       std::max(glm::length(light.edgeUWorld), glm::length(light.edgeVWorld));
-    return move * farthest / (kMargin * leastHalf);
-}
-
 /// Handles triangles so near that they might come before the light from outside of the margin in which contours are
 /// counted.
 void AreaVisibility::Asker::mindWhatIsNear(const dvec3& up) {
@@ -224,12 +169,12 @@ void AreaVisibility::Asker::mindWhatIsNear(const dvec3& up) {
         change_ = 1;
     CentredBox around;
     around.include(positionCentred_);
-    around.grow(nearness(move_, farthestOnLight()));
-    for (const std::uint32_t primitive : near_) {
+    around.grow(owner_.nearness(move_, farthestOnLight()));
+    for (const std::uint32_t primitive : obstacles_->near) {
         const Triangle& triangle = bvh_.triangles[primitive];
         if (isLeft(primitive) || !boxOf(triangle).touches(around)) continue;
         const double level = glm::dot(up, positionCentred_);
-        const double rounding = kCertain * glm::length(up) * farthestOnLight();
+        const double rounding = kInPlane * glm::length(up) * farthestOnLight();
         const bool below = glm::dot(up, triangle.a) <= level + rounding &&
                            glm::dot(up, triangle.b) <= level + rounding && glm::dot(up, triangle.c) <= level + rounding;
         if (!below) change_ = 1;
@@ -240,11 +185,11 @@ double AreaVisibility::Asker::farthestOnLight() const { return glm::length(seen_
 
 /// A triangle that the light's plane, or the contact at the point, cuts ends there too.
 void AreaVisibility::Asker::addCrossings() {
-    for (const std::uint32_t primitive : near_) {
+    for (const std::uint32_t primitive : obstacles_->near) {
         if (isLeft(primitive)) continue;
         const Triangle& triangle = bvh_.triangles[primitive];
         const double height = -heightOver(triangle);
-        const dvec3 depth = seen_.product(height < 0 ? -normalOf(triangle) : normalOf(triangle));
+        const dvec3 depth = seen_.product(height < 0 ? -frontOf(triangle) : frontOf(triangle));
         for (const double end : {kContact, 1 - kContact}) {
             // The triangle is met at |height| / depth of the way.
             const dvec3 line = depth - dvec3(0, 0, std::abs(height) / end);
@@ -258,18 +203,27 @@ void AreaVisibility::Asker::addCrossings() {
 AreaVisibility::Asker::Seen AreaVisibility::Asker::seenOf(const LightPiece& piece, std::span<const dvec2> polygon,
                                                           const dvec3& normalWorld) {
     const dvec2 middle = piece.middle();
-    if (!isFree(middle, false)) return {0, 0};
-    return !perforated_ || isFree(middle, true) ? Seen{1, 1} : sampledSeenOf(piece, polygon, normalWorld);
+    if (!isFree(middle)) return {0, 0};
+    return obstacles_->perforated.empty() || isFreeOf(true, middle) ? Seen{1, 1}
+                                                                    : sampledSeenOf(piece, polygon, normalWorld);
+}
+
+/// True if no triangle without holes covers that place of the light.
+bool AreaVisibility::Asker::isFree(dvec2 place) {
+    if (obstacles_->count() > 0) return isFreeOf(false, place);
+    // Where there is no contour, no way to the light differs from any other.
+    if (!allFree_) allFree_ = isFreeOf(false, place);
+    return *allFree_;
 }
 
 /// True if no triangle covers that place of the light. `perforated`: tests only triangles with holes, as if they were
 /// solid; else only those without.
-bool AreaVisibility::Asker::isFree(dvec2 place, bool perforated) {
+bool AreaVisibility::Asker::isFreeOf(bool perforated, dvec2 place) {
     const Ray ray{positionCentred_, seen_.toward(place), kContact, 1 - kContact};
     if (!isUsable(ray)) return true;
     const auto accept = [&](std::uint32_t primitive) {
         return owner_.casts_[primitive] && !isLeft(primitive) &&
-               (!perforated_ || owner_.tracer_.mayHaveHoles(primitive) == perforated);
+               (obstacles_->perforated.empty() || owner_.tracer_.mayHaveHoles(primitive) == perforated);
     };
     // The triangle that covered the last piece often covers this one, so it is tested first.
     if (lastBlocker_ != kNoPrimitive && accept(lastBlocker_)) {
@@ -294,9 +248,7 @@ AreaVisibility::Asker::Seen AreaVisibility::Asker::sampledSeenOf(const LightPiec
         return owner_.tracer_.mayHaveHoles(primitive) &&
                owner_.tracer_.isInHole({primitive, false, dvec2(barycentric)});
     };
-    const auto accept = [&](std::uint32_t primitive) {
-        return owner_.casts_[primitive] && !isLeft(primitive);
-    };
+    const auto accept = [&](std::uint32_t primitive) { return owner_.casts_[primitive] && !isLeft(primitive); };
     const dvec3 lightNormal = glm::cross(seen_.axisU, seen_.axisV);
     double free = 0, all = 0, freeIrradiance = 0, allIrradiance = 0;
     const auto look = [&](dvec2 place) {

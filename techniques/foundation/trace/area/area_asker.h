@@ -1,19 +1,24 @@
-// Answers for one point after the other what it sees of a light, among candidate triangles found for all of them together.
+// Answers for one point after the other what it sees of a light, among obstacles found for all of them together.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "techniques/foundation/trace/area/area_visibility.h"
 #include "techniques/foundation/trace/area/light_piece.h"
+#include "techniques/foundation/trace/area/obstacles.h"
 #include "techniques/foundation/trace/area/uniform_pieces.h"
 
 namespace shadowlab::trace {
 
 class AreaVisibility::Asker {
 public:
-    /// `box`: of the points that will ask, and of where they move.
-    Asker(const AreaVisibility& owner, const CentredBox& box, double largestMove,
-          const std::vector<std::uint32_t>& candidates);
+    explicit Asker(const AreaVisibility& owner) : owner_(owner), bvh_(owner.tracer_.bvh()) {}
+    /// Those of the points that will ask next, and of where they move. They must live as long.
+    void setObstacles(const Obstacles& obstacles) {
+        obstacles_ = &obstacles;
+        allFree_.reset();
+    }
     AreaShare ask(const SurfacePoint& point, double move);
     AreaIrradiance askIrradiance(const SurfacePoint& point, const dvec3& normalWorld);
 
@@ -23,24 +28,26 @@ private:
         double area = 0, irradiance = 0;
     };
     bool lookFrom(const SurfacePoint& point, double move);
-    [[nodiscard]] bool isLeft(std::uint32_t primitive) const { return owner_.tracer_.isLeft(point_.primitive, primitive); }
-    void findEdges(const CentredBox& box, const std::vector<std::uint32_t>& candidates);
+    [[nodiscard]] bool isLeft(std::uint32_t primitive) const {
+        return owner_.tracer_.isLeft(point_.primitive, primitive);
+    }
     void addEdges();
     void addCrossings();
     void mindWhatIsNear(const dvec3& up);
     [[nodiscard]] double farthestOnLight() const;
-    [[nodiscard]] double nearness(double move, double farthest) const;
     [[nodiscard]] int turnAt(const SurfaceEdges::Edge& edge) const;
     [[nodiscard]] double heightOver(const Triangle& triangle) const;
+    [[nodiscard]] double irradianceOf(const LightPiece& piece, const dvec3& normalWorld) const;
     Seen seenOf(const LightPiece& piece, std::span<const dvec2> polygon, const dvec3& normalWorld);
-    [[nodiscard]] bool isFree(dvec2 place, bool perforated);
+    [[nodiscard]] bool isFree(dvec2 place);
+    [[nodiscard]] bool isFreeOf(bool perforated, dvec2 place);
     Seen sampledSeenOf(const LightPiece& piece, std::span<const dvec2> polygon, const dvec3& normalWorld);
 
     const AreaVisibility& owner_;
     const Bvh& bvh_;
-    std::vector<std::uint32_t> edgeNumbers_; ///< that may be contours for one of the points
-    std::vector<std::uint32_t> near_;        ///< triangles that may touch the light, or a point
-    bool perforated_ = false;                ///< true if any triangle has holes
+    const Obstacles* obstacles_ = nullptr;
+    /// Without obstacles: whether all of these points see all that is above their triangles, or nothing; none: not yet known.
+    std::optional<bool> allFree_;
     UniformPieces pieces_;
     std::vector<Contour> contours_;
     // Of the point that asks.

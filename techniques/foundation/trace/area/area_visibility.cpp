@@ -5,20 +5,17 @@
 #include <stdexcept>
 
 #include "techniques/foundation/trace/area/area_asker.h"
+#include "techniques/foundation/trace/area/obstacles.h"
 
 namespace shadowlab::trace {
 
 namespace {
 
-// So few points, or so few triangles, are not split further: each point tests all triangles found for the group.
-constexpr std::size_t kFewPoints = 8, kFewTriangles = 24;
+// So few points, or points with so few obstacles, are not split further: each point tests all that was found for the group.
+constexpr std::size_t kFewPoints = 8, kFewObstacles = 8;
 
-// Lower than this share of the light's distance above a point's plane, a triangle is in that plane: rounding of coordinates is
-// a thousand times smaller, and what it could hide of the light no larger.
-constexpr double kInPlane = 1e-12;
-
-// A triangle is tested against the planes of at most this many points; beyond that it is cheaper to keep it.
-constexpr std::size_t kMostPlanes = 8;
+// Obstacles are tested against at most so many horizons; with more it is cheaper to keep those below.
+constexpr std::size_t kMostHorizons = 8;
 
 CentredBox boxOfLight(const scene::Light& light, const dvec3& centreCentred) {
     CentredBox box;
@@ -44,15 +41,6 @@ struct AreaVisibility::Group {
     std::span<AreaIrradiance> irradiances; ///< shares or irradiances, whichever are asked for
     std::vector<dvec3> positionsCentred{};
     [[nodiscard]] double move(std::uint32_t i) const { return moves.empty() ? 0.0 : moves[i]; }
-    /// Around some of them, and all places they move to.
-    [[nodiscard]] CentredBox box(std::span<const std::uint32_t> members) const {
-        CentredBox box;
-        for (const std::uint32_t i : members) {
-            box.include(positionsCentred[i] - move(i));
-            box.include(positionsCentred[i] + move(i));
-        }
-        return box;
-    }
 };
 
 AreaVisibility::AreaVisibility(const SceneTracer& tracer, int light)
@@ -98,38 +86,33 @@ void AreaVisibility::askAll(Group& group) const {
         asking.push_back(i);
     }
     if (asking.empty()) return;
-    ask(group, asking, Shaft(group.box(asking), box_).triangles(tracer_.bvh(), [&](std::uint32_t primitive) {
-        return casts_[primitive] != 0;
-    }));
+    const Bounds bounds = boundsOf(group, asking);
+    Asker asker(*this);
+    ask(group, asking, bounds, Obstacles(*this, bounds), asker);
 }
 
-/// Splits the points if that leaves fewer triangles for each half.
-void AreaVisibility::ask(Group& group, std::span<std::uint32_t> members, std::vector<std::uint32_t> candidates) const {
-    const CentredBox box = group.box(members);
-    const Shaft shaft(box, box_);
-    std::erase_if(candidates, [&](std::uint32_t primitive) {
-        const Triangle& triangle = tracer_.bvh().triangles[primitive];
-        return !shaft.mayTouch(triangle) || isBelowAll(group, members, triangle);
-    });
-    if (members.size() <= kFewPoints || candidates.size() <= kFewTriangles)
-        return askTogether(group, members, candidates);
-    const dvec3 size = box.upper - box.lower;
+/// Splits the points where that leaves fewer obstacles for each half.
+void AreaVisibility::ask(Group& group, std::span<std::uint32_t> members, const Bounds& bounds,
+                         const Obstacles& obstacles, Asker& asker) const {
+    if (members.size() <= kFewPoints || obstacles.count() <= kFewObstacles)
+        return askTogether(group, members, obstacles, asker);
+    const dvec3 size = bounds.box.upper - bounds.box.lower;
     const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-    const std::size_t half = members.size() / 2;
-    std::ranges::nth_element(members, members.begin() + static_cast<std::ptrdiff_t>(half), [&](auto i, auto j) {
-        const double a = group.positionsCentred[i][axis], b = group.positionsCentred[j][axis];
-        return a != b ? a < b : i < j;
-    });
-    ask(group, members.first(half), candidates);
-    ask(group, members.subspan(half), std::move(candidates));
+    const double middle = 0.5 * (bounds.box.upper[axis] + bounds.box.lower[axis]);
+    // In the middle of the box, not of their number: so bodies that one sees beside each other come apart.
+    const auto second =
+        std::ranges::partition(members, [&](auto i) { return group.positionsCentred[i][axis] < middle; });
+    const std::size_t first = members.size() - second.size();
+    if (first == 0 || second.empty()) return askTogether(group, members, obstacles, asker); // all in one place
+    for (const std::span<std::uint32_t> part : {members.first(first), members.subspan(first)}) {
+        const Bounds ofPart = boundsOf(group, part);
+        ask(group, part, ofPart, obstacles.narrowed(*this, ofPart), asker);
+    }
 }
 
-void AreaVisibility::askTogether(Group& group, std::span<const std::uint32_t> members,
-                                 const std::vector<std::uint32_t>& candidates) const {
-    double largestMove = 0;
-    for (const std::uint32_t i : members)
-        largestMove = std::max(largestMove, group.move(i));
-    Asker asker(*this, group.box(members), largestMove, candidates);
+void AreaVisibility::askTogether(Group& group, std::span<const std::uint32_t> members, const Obstacles& obstacles,
+                                 Asker& asker) const {
+    asker.setObstacles(obstacles);
     for (const std::uint32_t i : members)
         if (group.irradiances.empty())
             group.shares[i] = asker.ask(group.points[i], group.move(i));
@@ -137,24 +120,32 @@ void AreaVisibility::askTogether(Group& group, std::span<const std::uint32_t> me
             group.irradiances[i] = asker.askIrradiance(group.points[i], group.normalsWorld[i]);
 }
 
-/// True if the triangle is below the plane of each of these points, so that it hides nothing from them.
-bool AreaVisibility::isBelowAll(const Group& group, std::span<const std::uint32_t> members,
-                                const Triangle& triangle) const {
-    std::size_t planes = 0;
-    std::uint32_t last = kNoPrimitive;
+AreaVisibility::Bounds AreaVisibility::boundsOf(const Group& group, std::span<const std::uint32_t> members) const {
+    Bounds bounds;
+    std::vector<std::uint32_t> triangles; // of those horizons
     for (const std::uint32_t i : members) {
+        bounds.largestMove = std::max(bounds.largestMove, group.move(i));
+        bounds.box.include(group.positionsCentred[i] - group.move(i));
+        bounds.box.include(group.positionsCentred[i] + group.move(i));
         const SurfacePoint& point = group.points[i];
-        if (point.primitive == last) continue; // another point of the same plane
-        if (++planes > kMostPlanes) return false;
-        last = point.primitive;
-        const Triangle& own = tracer_.bvh().triangles[last];
-        dvec3 up = glm::normalize(glm::cross(own.b - own.a, own.c - own.a));
-        if (!point.eyeOnFront) up = -up;
-        const double level = glm::dot(up, own.a) + kInPlane * glm::length(centreCentred_ - group.positionsCentred[i]);
-        if (glm::dot(up, triangle.a) > level || glm::dot(up, triangle.b) > level || glm::dot(up, triangle.c) > level)
-            return false;
+        if (triangles.size() > kMostHorizons || std::ranges::find(triangles, point.primitive) != triangles.end())
+            continue;
+        triangles.push_back(point.primitive);
+        const Triangle& own = tracer_.bvh().triangles[point.primitive];
+        const dvec3 up = (point.eyeOnFront ? 1.0 : -1.0) * glm::normalize(frontOf(own));
+        bounds.horizons.push_back(
+            {up, glm::dot(up, own.a) + kInPlane * glm::length(centreCentred_ - group.positionsCentred[i])});
     }
-    return true;
+    if (triangles.size() > kMostHorizons) bounds.horizons.clear();
+    return bounds;
+}
+
+double AreaVisibility::nearness(double move, double farthest) const {
+    const double leastHalf = light_.type == scene::LightType::sphere
+                                 ? kLeastDisc * light_.radius
+                                 : 0.5 * glm::length(glm::cross(light_.edgeUWorld, light_.edgeVWorld)) /
+                                       std::max(glm::length(light_.edgeUWorld), glm::length(light_.edgeVWorld));
+    return move * farthest / (kMargin * leastHalf);
 }
 
 } // namespace shadowlab::trace

@@ -57,14 +57,19 @@ public:
                      std::span<AreaIrradiance> answers) const;
 
 private:
+    struct Bounds;
+    class Obstacles;
     class Asker;
     struct Group;
     void askAll(Group& group) const;
-    void ask(Group& group, std::span<std::uint32_t> members, std::vector<std::uint32_t> candidates) const;
-    void askTogether(Group& group, std::span<const std::uint32_t> members,
-                     const std::vector<std::uint32_t>& candidates) const;
-    [[nodiscard]] bool isBelowAll(const Group& group, std::span<const std::uint32_t> members,
-                                  const Triangle& triangle) const;
+    void ask(Group& group, std::span<std::uint32_t> members, const Bounds& bounds, const Obstacles& obstacles,
+             Asker& asker) const;
+    void askTogether(Group& group, std::span<const std::uint32_t> members, const Obstacles& obstacles,
+                     Asker& asker) const;
+    [[nodiscard]] Bounds boundsOf(const Group& group, std::span<const std::uint32_t> members) const;
+    /// Within this distance from a point, things may move by more than the margin around the light in which contours are counted
+    /// while the point moves. `farthest`: metres to the farthest place of the light.
+    [[nodiscard]] double nearness(double move, double farthest) const;
 
     const SceneTracer& tracer_;
     const scene::Light& light_;
@@ -73,6 +78,11 @@ private:
     CentredBox box_;                  ///< of the light
     std::vector<std::uint8_t> casts_; ///< of each triangle: SceneTracer::castersFor()
     SurfaceEdges edges_;
+
+    /// That margin, in shares of the light's size beyond its border.
+    static constexpr double kMargin = 0.25;
+    /// The disc of a sphere is at least this share as wide as the sphere, from all points farther away than 1.4 radii.
+    static constexpr double kLeastDisc = 0.7;
 };
 
 } // namespace shadowlab::trace

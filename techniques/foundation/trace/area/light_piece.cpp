@@ -46,6 +46,7 @@ LightPiece::LightPiece(const SeenLight& seen, std::span<const dvec2> polygon) : 
 }
 
 void LightPiece::cutWithDisc() {
+    parts_.reserve(polygon_.size());
     bool isAround = polygon_.size() > 2; // is the disc's middle to the left of all sides?
     for (std::size_t i = 0; i < polygon_.size(); ++i) {
         const dvec2 begin = polygon_[i], end = polygon_[(i + 1) % polygon_.size()];

@@ -71,4 +71,15 @@ bool Shaft::mayTouch(const Triangle& triangle) const {
     return true;
 }
 
+bool Shaft::mayTouch(const dvec3& firstCentred, const dvec3& secondCentred) const {
+    CentredBox own;
+    own.include(firstCentred);
+    own.include(secondCentred);
+    if (!hull_.touches(own)) return false;
+    for (const Side& side : sides_)
+        if (glm::dot(side.normal, firstCentred) > side.offset && glm::dot(side.normal, secondCentred) > side.offset)
+            return false;
+    return true;
+}
+
 } // namespace shadowlab::trace

@@ -26,6 +26,8 @@ struct CentredBox {
 };
 
 CentredBox boxOf(const Triangle& triangle);
+/// A vector toward its front, as long as twice its area.
+inline dvec3 frontOf(const Triangle& t) { return glm::cross(t.b - t.a, t.c - t.a); }
 
 class Shaft {
 public:
@@ -34,6 +36,8 @@ public:
     /// False: certainly not within the shaft.
     [[nodiscard]] bool mayTouch(const CentredBox& box) const;
     [[nodiscard]] bool mayTouch(const Triangle& triangle) const;
+    /// The straight line between two places.
+    [[nodiscard]] bool mayTouch(const dvec3& firstCentred, const dvec3& secondCentred) const;
 
     /// The triangles that may touch it and that `accept(primitive)` is true of.
     template <typename Accept>
