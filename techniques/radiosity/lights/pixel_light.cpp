@@ -2,7 +2,6 @@
 #include "techniques/radiosity/lights/pixel_light.h"
 
 #include <algorithm>
-#include <array>
 
 #include "techniques/foundation/trace/blocks.h"
 #include "techniques/foundation/trace/parallel.h"
@@ -13,6 +12,10 @@ namespace {
 
 constexpr int kBlockSide = trace::SceneTracer::kBlock;
 constexpr std::size_t kBlockPixels = static_cast<std::size_t>(kBlockSide) * kBlockSide;
+
+// Blocks that ask for a light together, on a side: neighbours share the search for what stands before a light with an area.
+constexpr int kTileBlocks = 2;
+constexpr int kTileSide = kTileBlocks * kBlockSide;
 
 } // namespace
 
@@ -35,7 +38,7 @@ bool PixelLight::advance(const scene::Snapshot& snapshot, const View& view, Dead
             ofLight.area.reset(); // it refers to the scene that it was made for
     snapshot_ = snapshot;
 
-    const trace::Blocks blocks{seenFrom_.size, kBlockSide};
+    const trace::Blocks blocks{seenFrom_.size, kBlockSide}, tiles{seenFrom_.size, kTileSide};
     const trace::EyeRays rays = tracer_.eyeRays(view.camera, view.size);
     seenBlocks_ = trace::parallelUntil(deadline, seenBlocks_, blocks.count(), [&](std::size_t block) { seeBlock(rays, block); });
     if (seenBlocks_ < blocks.count()) return false;
@@ -47,11 +50,11 @@ bool PixelLight::advance(const scene::Snapshot& snapshot, const View& view, Dead
             const auto pixels = static_cast<std::size_t>(view.size.x) * static_cast<std::size_t>(view.size.y);
             ofLight = {snapshot->lights[i], nullptr, std::vector<Share>(pixels), 0};
         }
-        if (ofLight.nextBlock == blocks.count()) continue;
+        if (ofLight.nextTile == tiles.count()) continue;
         if (scene::hasArea(ofLight.light) && !ofLight.area) ofLight.area = std::make_unique<trace::AreaVisibility>(tracer_, light);
-        ofLight.nextBlock = trace::parallelUntil(deadline, ofLight.nextBlock, blocks.count(),
-                                                 [&](std::size_t block) { lightBlock(ofLight, light, block); });
-        if (ofLight.nextBlock < blocks.count()) return false;
+        ofLight.nextTile = trace::parallelUntil(deadline, ofLight.nextTile, tiles.count(),
+                                                 [&](std::size_t tile) { lightTile(ofLight, light, tile); });
+        if (ofLight.nextTile < tiles.count()) return false;
         ofLight.area.reset();
         ++version_;
     }
@@ -59,10 +62,12 @@ bool PixelLight::advance(const scene::Snapshot& snapshot, const View& view, Dead
 }
 
 double PixelLight::done() const {
-    const std::size_t all = trace::Blocks{seenFrom_.size, kBlockSide}.count() * (lights_.size() + 1);
+    const std::size_t blocks = trace::Blocks{seenFrom_.size, kBlockSide}.count();
+    const std::size_t tiles = trace::Blocks{seenFrom_.size, kTileSide}.count(), blocksOfTile = kTileBlocks * kTileBlocks;
     std::size_t done = seenBlocks_;
     for (const OfLight& ofLight : lights_)
-        done += ofLight.nextBlock;
+        done += blocksOfTile * ofLight.nextTile;
+    const std::size_t all = blocks + blocksOfTile * tiles * lights_.size();
     return all > 0 ? static_cast<double>(done) / static_cast<double>(all) : 1;
 }
 
@@ -91,24 +96,36 @@ void PixelLight::seeBlock(const trace::EyeRays& rays, std::size_t block) {
 }
 
 // [anchor: light-on-a-pixel]
-void PixelLight::lightBlock(OfLight& ofLight, int light, std::size_t block) const {
-    const trace::Blocks blocks{seenFrom_.size, kBlockSide};
-    const ivec2 corner = blocks.corner(block), size = blocks.sizeAt(corner);
-    const std::span<const trace::SurfacePoint> points = pointsOf(block);
-    std::vector<Share> shares;
-    if (ofLight.area) {
-        shares = areaShares(*ofLight.area, points);
-    } else {
-        std::array<trace::Visibility, kBlockPixels> answers;
-        tracer_.visibilities(points, light, std::span(answers).first(points.size()));
-        for (std::size_t i = 0; i < points.size(); ++i)
-            shares.push_back({answers[i] == trace::Visibility::lit ? 1.0f : 0.0f, 0.0f});
+void PixelLight::lightTile(OfLight& ofLight, int light, std::size_t tile) const {
+    const trace::Blocks blocks{seenFrom_.size, kBlockSide}, tiles{seenFrom_.size, kTileSide};
+    const ivec2 first = tiles.corner(tile) / kBlockSide, end = glm::min(first + kTileBlocks, blocks.grid());
+    std::vector<std::size_t> ofTile;
+    std::vector<trace::SurfacePoint> points;
+    for (int y = first.y; y < end.y; ++y)
+        for (int x = first.x; x < end.x; ++x) {
+            ofTile.push_back(static_cast<std::size_t>(y * blocks.grid().x + x));
+            const std::span<const trace::SurfacePoint> ofBlock = pointsOf(ofTile.back());
+            points.insert(points.end(), ofBlock.begin(), ofBlock.end());
+        }
+    const std::vector<Share> shares = ofLight.area ? areaShares(*ofLight.area, points) : sharesWithoutArea(light, points);
+    auto row = shares.begin();
+    for (const std::size_t block : ofTile) {
+        const ivec2 corner = blocks.corner(block), size = blocks.sizeAt(corner);
+        for (int y = 0; y < size.y; ++y, row += size.x) {
+            const int rowFromBelow = seenFrom_.size.y - 1 - (corner.y + y);
+            std::copy_n(row, size.x,
+                        ofLight.sharesFromBelow.begin() + static_cast<std::ptrdiff_t>(rowFromBelow) * seenFrom_.size.x + corner.x);
+        }
     }
-    for (int y = 0; y < size.y; ++y) {
-        const int rowFromBelow = seenFrom_.size.y - 1 - (corner.y + y);
-        std::copy_n(shares.begin() + y * size.x, size.x,
-                    ofLight.sharesFromBelow.begin() + static_cast<std::ptrdiff_t>(rowFromBelow) * seenFrom_.size.x + corner.x);
-    }
+}
+
+std::vector<PixelLight::Share> PixelLight::sharesWithoutArea(int light, std::span<const trace::SurfacePoint> points) const {
+    std::vector<trace::Visibility> answers(points.size());
+    tracer_.visibilities(points, light, answers);
+    std::vector<Share> shares(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        shares[i].seen = answers[i] == trace::Visibility::lit ? 1.0f : 0.0f;
+    return shares;
 }
 
 std::vector<PixelLight::Share> PixelLight::areaShares(const trace::AreaVisibility& area,

@@ -54,11 +54,12 @@ private:
         scene::Light light;
         std::unique_ptr<trace::AreaVisibility> area; ///< while it is being computed
         std::vector<Share> sharesFromBelow;
-        std::size_t nextBlock = 0;
+        std::size_t nextTile = 0;
     };
     void restart(const scene::Snapshot& snapshot, const trace::SeenFrom& seenFrom);
     void seeBlock(const trace::EyeRays& rays, std::size_t block);
-    void lightBlock(OfLight& ofLight, int light, std::size_t block) const;
+    void lightTile(OfLight& ofLight, int light, std::size_t tile) const;
+    [[nodiscard]] std::vector<Share> sharesWithoutArea(int light, std::span<const trace::SurfacePoint> points) const;
     [[nodiscard]] std::vector<Share> areaShares(const trace::AreaVisibility& area, std::span<const trace::SurfacePoint> points) const;
 
     trace::SceneTracer tracer_;
