@@ -9,9 +9,27 @@ namespace shadowlab::radiosity {
 
 namespace {
 
+// A face lies close above another when no corner is farther from its plane than this share of the face's size. The light that
+// gets in between them from the sides then comes no farther than to a narrow rim.
+constexpr double kCloseAbove = 0.1;
+
 struct Segment {
     dvec3 from, to;
 };
+
+/// The edges of a face that lies close above the plane and faces it, as seen straight from above; nothing of any other.
+std::vector<Segment> outlineOnto(const Plane& plane, const Face& above, double touching) {
+    if (!(glm::dot(plane.normal, above.plane.normal) < 0)) return {};
+    const double close = kCloseAbove * sizeOf(above.polygon);
+    std::vector<Segment> segments;
+    const auto onto = [&](const dvec3& corner) { return corner - plane.height(corner) * plane.normal; };
+    for (std::size_t i = 0; i < above.polygon.count(); ++i) {
+        const double height = plane.height(above.polygon[i]);
+        if (height <= touching || height > close) return {};
+        segments.push_back({onto(above.polygon[i]), onto(above.polygon[(i + 1) % above.polygon.count()])});
+    }
+    return segments;
+}
 
 /// Where a polygon meets a plane: all its edges, if it lies in the plane; else the segment in which it crosses or touches the
 /// plane.
@@ -72,13 +90,14 @@ void cut(std::vector<Patch>& pieces, const Segment& segment, double touching) {
     }
 }
 
-/// For each face the others whose boxes touch its own, in order. Boxes are swept along the x axis.
+/// For each face the others whose boxes touch its own, in order; boxes are grown by what "close above" means. They are swept along
+/// the x axis.
 std::vector<std::vector<std::uint32_t>> facesNear(const Faces& faces) {
     std::vector<trace::CentredBox> boxes;
     std::vector<std::uint32_t> order;
     for (const Face& face : faces.all) {
         order.push_back(static_cast<std::uint32_t>(boxes.size()));
-        boxes.emplace_back(boxOf(face.polygon)).grow(kTouching * sizeOf(face.polygon));
+        boxes.emplace_back(boxOf(face.polygon)).grow(kCloseAbove * sizeOf(face.polygon));
     }
     std::ranges::stable_sort(order, {}, [&](std::uint32_t number) { return boxes[number].lower.x; });
     std::vector<std::vector<std::uint32_t>> near(faces.all.size());
@@ -107,7 +126,9 @@ std::vector<std::vector<Contact>> contactsOf(const Faces& faces) {
             const Plane turned{plane.point, -plane.normal};
             const bool isBeneath = isBehind(plane, otherPolygon, touching);
             if (isBeneath && !isBehind(turned, otherPolygon, touching)) continue; // a face in the plane is behind both
-            for (const Segment& segment : meeting(plane, otherPolygon, touching))
+            std::vector<Segment> segments = meeting(plane, otherPolygon, touching);
+            if (segments.empty()) segments = outlineOnto(plane, faces.all[other], touching);
+            for (const Segment& segment : segments)
                 // The face is enlarged by the tolerance, so the segment of faces that meet at right angles in a point has twice
                 // that length.
                 if (const auto part = inside(segment, polygon, plane.normal, -touching);

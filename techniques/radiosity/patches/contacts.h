@@ -4,6 +4,9 @@
 // from under a box. So patches are cut along every line in which another face meets theirs. This is the simplest part of
 // discontinuity meshing: P. Heckbert, "Discontinuity Meshing for Radiosity", EGWR 1992; D. Lischinski, F. Tampieri and D.
 // Greenberg, IEEE Computer Graphics and Applications 12(6), 1992.
+//
+// What lies close before a patch without touching it, a rug on a floor or a lamp under a ceiling, does nearly the same as if it
+// touched: the part of the patch that it covers exchanges light with it alone. So patches are cut along its outline as well.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -13,7 +16,8 @@
 
 namespace shadowlab::radiosity {
 
-/// A segment on the front of a face along which another face stands on it, lies on it, or passes through it. Centred space.
+/// A segment on the front of a face along which another face stands on it, lies on it or close above it, or passes through it.
+/// Centred space.
 struct Contact {
     dvec3 from, to;
     std::uint32_t other; ///< face

@@ -99,6 +99,31 @@ TEST(Contacts, WhatGoesThroughCutsToo) {
     EXPECT_NEAR(areaOf(pieces), 4.49, 1e-6); // the small one's vertices are floats
 }
 
+// A rug, or a lamp under a ceiling: hardly any light gets between it and the floor, so the floor's part beneath it is dark.
+TEST(Contacts, WhatLiesCloseAboveCutsAlongItsOutline) {
+    for (const double height : {0.001, 0.05, 0.5}) {
+        scene::Scene scene;
+        scene.materials.emplace_back();
+        addObject(scene, scene::makeQuad({4, 4}));
+        // Its lower side faces the floor.
+        addObject(scene, scene::makeQuad({0.7, 0.9}), glm::rotate(translation({0.13, height, 0.21}), glm::pi<double>(), dvec3(1, 0, 0)));
+        const Faces faces = facesOf(scene, trace::worldTriangles(scene));
+        const std::vector<Patch> before = cutIntoPatches(faces, 1), after = cutAtContacts(faces, before);
+        EXPECT_NEAR(areaOf(after), areaOf(before), 1e-9);
+        const dvec3 edge(0.13 + 0.35, 0, 0.21);
+        ASSERT_GT(straddling(before, 0, edge, {1, 0, 0}), 0);
+        EXPECT_EQ(std::ranges::count(after, 1u, &Patch::face), 1) << "the floor is no smaller thing close to the rug";
+        if (height < 0.1) {
+            double beneath = 0;
+            for (const Patch& patch : after)
+                if (patch.face == 0 && std::abs(patch.centre.x - 0.13) < 0.35 && std::abs(patch.centre.z - 0.21) < 0.45) beneath += patch.area;
+            EXPECT_NEAR(beneath, 0.7 * 0.9, 1e-6) << height;
+        } else {
+            EXPECT_EQ(after.size(), before.size()) << "too far away";
+        }
+    }
+}
+
 TEST(Contacts, WhatTouchesTheBackDoesNotCut) {
     for (const double height : {0.5, -0.5}) { // of the middle of a wall a metre high: on the floor, and under it
         scene::Scene scene;
