@@ -53,18 +53,91 @@ void cutTriangle(const Polygon& t, int n, std::uint32_t face, std::vector<Patch>
         }
 }
 
+/// Halves or quarters of a patch. A polygon with the maximum number of corners is halved, because a cut next to it would add one
+/// more.
+std::vector<Polygon> partsOf(const Patch& patch) {
+    const Polygon& p = patch.polygon;
+    const auto middle = [&](std::size_t i) { return 0.5 * (p[i] + p[(i + 1) % p.count()]); };
+    if (p.count() == 3)
+        return {{p[0], middle(0), middle(2)},
+                {middle(0), p[1], middle(1)},
+                {middle(2), middle(1), p[2]},
+                {middle(0), middle(1), middle(2)}};
+    if (p.count() == 4) {
+        const double lengthwise = glm::distance(middle(3), middle(1)), crosswise = glm::distance(middle(0), middle(2));
+        if (lengthwise > 2 * crosswise) return {{p[0], middle(0), middle(2), p[3]}, {middle(0), p[1], p[2], middle(2)}};
+        if (crosswise > 2 * lengthwise) return {{p[0], p[1], middle(1), middle(3)}, {middle(3), middle(1), p[2], p[3]}};
+        const dvec3 centre = 0.5 * (middle(0) + middle(2));
+        return {{p[0], middle(0), centre, middle(3)},
+                {middle(0), p[1], middle(1), centre},
+                {centre, middle(1), p[2], middle(2)},
+                {middle(3), centre, middle(2), p[3]}};
+    }
+    if (p.count() == Polygon::kMostCorners) {
+        constexpr std::size_t kHalf = Polygon::kMostCorners / 2;
+        std::vector<Polygon> halves(2);
+        for (std::size_t i = 0; i <= kHalf; ++i) {
+            halves[0].add(p[i]);
+            halves[1].add(p[(kHalf + i) % p.count()]);
+        }
+        return halves;
+    }
+    dvec3 longest(0.0);
+    for (std::size_t i = 0; i < p.count(); ++i)
+        if (const dvec3 edge = p[(i + 1) % p.count()] - p[i]; glm::length(edge) > glm::length(longest)) longest = edge;
+    const dvec3 along = glm::normalize(longest), across = glm::cross(patch.normal, along);
+    const double touching = kTouching * sizeOf(p);
+    std::vector<Polygon> pieces;
+    for (const dvec3& first : {across, -across})
+        for (const dvec3& second : {along, -along})
+            if (const Polygon piece =
+                    partBefore({patch.centre, second}, partBefore({patch.centre, first}, p, touching), touching);
+                !piece.isEmpty())
+                pieces.push_back(piece);
+    return pieces;
+}
+
+double longestEdge(const Polygon& p) {
+    double longest = 0;
+    for (std::size_t i = 0; i < p.count(); ++i)
+        longest = std::max(longest, glm::distance(p[i], p[(i + 1) % p.count()]));
+    return longest;
+}
+
+/// Calls visit(patch) for each piece that is small enough for where it lies.
+template <typename Visit>
+void cutGround(const Patch& piece, const Ground& ground, double size, const Visit& visit) {
+    const std::vector<Polygon> parts = longestEdge(piece.polygon) > ground.sizeAt(piece.polygon, size) ? dividedPatch(piece)
+                                                                                                        : std::vector{piece.polygon};
+    if (parts.size() == 1) return visit(piece);
+    for (const Polygon& part : parts)
+        cutGround(pieceOf(piece, part), ground, size, visit);
+}
+
+Patch wholePatch(const Face& face, std::uint32_t number) {
+    return {face.polygon, face.plane.normal, centroid(face.polygon), glm::length(areaVector(face.polygon)), number};
+}
+
 } // namespace
+
+std::vector<Polygon> dividedPatch(const Patch& patch) {
+    std::vector<Polygon> pieces = partsOf(patch);
+    if (std::ranges::any_of(pieces, hasNoArea)) return {patch.polygon};
+    return pieces;
+}
 
 Patch pieceOf(const Patch& patch, const Polygon& polygon) {
     return {polygon, patch.normal, centroid(polygon), glm::length(areaVector(polygon)), patch.face};
 }
 
-std::vector<Patch> cutIntoPatches(const Faces& faces, double size) {
+std::vector<Patch> cutIntoPatches(const Faces& faces, double size, const Ground& ground) {
     std::vector<Patch> patches;
     for (std::uint32_t f = 0; f < faces.all.size(); ++f) {
         const Polygon& polygon = faces.all[f].polygon;
         const Cuts cuts = cutsOf(polygon, size);
-        if (polygon.count() == 4)
+        if (ground.holds(f))
+            cutGround(wholePatch(faces.all[f], f), ground, size, [&](const Patch& patch) { addPatch(patch.polygon, f, patches); });
+        else if (polygon.count() == 4)
             cutQuad(polygon, cuts, f, patches);
         else
             cutTriangle(polygon, cuts.u, f, patches);
@@ -72,15 +145,19 @@ std::vector<Patch> cutIntoPatches(const Faces& faces, double size) {
     return patches;
 }
 
-double sizeForBudget(const Faces& faces, std::size_t most) {
+double sizeForBudget(const Faces& faces, std::size_t most, const Ground& ground) {
     double longest = 0;
     for (const Face& face : faces.all)
-        for (std::size_t i = 0; i < face.polygon.count(); ++i)
-            longest = std::max(longest, glm::length(face.polygon[(i + 1) % face.polygon.count()] - face.polygon[i]));
+        longest = std::max(longest, longestEdge(face.polygon));
     const auto fits = [&](double size) {
         std::size_t count = 0;
-        for (const Face& face : faces.all)
-            if ((count += countOf(cutsOf(face.polygon, size))) > most) return false;
+        for (std::uint32_t f = 0; f < faces.all.size(); ++f) {
+            if (ground.holds(f))
+                cutGround(wholePatch(faces.all[f], f), ground, size, [&](const Patch&) { ++count; });
+            else
+                count += countOf(cutsOf(faces.all[f].polygon, size));
+            if (count > most) return false;
+        }
         return true;
     };
     double size = longest; // 0 where there are no faces

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "techniques/radiosity/patches/faces.h"
+#include "techniques/radiosity/patches/ground.h"
 
 namespace shadowlab::radiosity {
 
@@ -18,12 +19,16 @@ struct Patch {
 /// The part of a patch inside the polygon.
 Patch pieceOf(const Patch& patch, const Polygon& polygon);
 
-/// Cuts faces such that no edge of a patch is longer than `size` metres. Quads become grids of quads, triangles become triangles
-/// of their own shape.
-std::vector<Patch> cutIntoPatches(const Faces& faces, double size);
+/// Quads and triangles in four of their shape, quads more than twice as long as wide in two, and other polygons by two lines through the
+/// centre, along the longest edge and perpendicular to it. The patch itself if a piece would be too small to have an area.
+std::vector<Polygon> dividedPatch(const Patch& patch);
+
+/// Cuts faces such that no edge of a patch is longer than `size` metres, of a ground longer than is right there. Quads become grids of
+/// quads, triangles become triangles of their own shape.
+std::vector<Patch> cutIntoPatches(const Faces& faces, double size, const Ground& ground = {});
 
 /// The smallest size that leaves at most `most` patches (or one per face), among the longest edge times 2^(-k/16), k = 0, 1, 2
 /// ...
-double sizeForBudget(const Faces& faces, std::size_t most);
+double sizeForBudget(const Faces& faces, std::size_t most, const Ground& ground = {});
 
 } // namespace shadowlab::radiosity

@@ -61,58 +61,24 @@ void addWithLarger(std::uint32_t number, const std::vector<Patch>& patches, cons
     }
 }
 
-/// Halves or quarters of a patch. A polygon with the maximum number of corners is halved, because a cut next to it would add one
-/// more.
-std::vector<Polygon> partsOf(const Patch& patch) {
-    const Polygon& p = patch.polygon;
-    const auto middle = [&](std::size_t i) { return 0.5 * (p[i] + p[(i + 1) % p.count()]); };
-    if (p.count() == 3)
-        return {{p[0], middle(0), middle(2)},
-                {middle(0), p[1], middle(1)},
-                {middle(2), middle(1), p[2]},
-                {middle(0), middle(1), middle(2)}};
-    if (p.count() == 4) {
-        const double lengthwise = glm::distance(middle(3), middle(1)), crosswise = glm::distance(middle(0), middle(2));
-        if (lengthwise > 2 * crosswise) return {{p[0], middle(0), middle(2), p[3]}, {middle(0), p[1], p[2], middle(2)}};
-        if (crosswise > 2 * lengthwise) return {{p[0], p[1], middle(1), middle(3)}, {middle(3), middle(1), p[2], p[3]}};
-        const dvec3 centre = 0.5 * (middle(0) + middle(2));
-        return {{p[0], middle(0), centre, middle(3)},
-                {middle(0), p[1], middle(1), centre},
-                {centre, middle(1), p[2], middle(2)},
-                {middle(3), centre, middle(2), p[3]}};
-    }
-    if (p.count() == Polygon::kMostCorners) {
-        constexpr std::size_t kHalf = Polygon::kMostCorners / 2;
-        std::vector<Polygon> halves(2);
-        for (std::size_t i = 0; i <= kHalf; ++i) {
-            halves[0].add(p[i]);
-            halves[1].add(p[(kHalf + i) % p.count()]);
-        }
-        return halves;
-    }
-    dvec3 longest(0.0);
-    for (std::size_t i = 0; i < p.count(); ++i)
-        if (const dvec3 edge = p[(i + 1) % p.count()] - p[i]; glm::length(edge) > glm::length(longest)) longest = edge;
-    const dvec3 along = glm::normalize(longest), across = glm::cross(patch.normal, along);
-    const double touching = kTouching * sizeOf(p);
-    std::vector<Polygon> pieces;
-    for (const dvec3& first : {across, -across})
-        for (const dvec3& second : {along, -along})
-            if (const Polygon piece =
-                    partBefore({patch.centre, second}, partBefore({patch.centre, first}, p, touching), touching);
-                !piece.isEmpty())
-                pieces.push_back(piece);
-    return pieces;
-}
-
-/// The pieces of a patch, or the patch itself if a piece would be too small to have an area.
-std::vector<Polygon> dividedPieces(const Patch& patch) {
-    std::vector<Polygon> pieces = partsOf(patch);
-    if (std::ranges::any_of(pieces, hasNoArea)) return {patch.polygon};
-    return pieces;
+/// The larger of the two estimates.
+Wrong wrongOf(const std::vector<Patch>& patches, const PatchBorders& borders, std::span<const dvec3> radiosity,
+              std::span<const dvec3> reflectance, std::span<const DirectLight> lights, double gradientWeight, std::uint32_t number) {
+    Wrong wrong{gradientWeight * byGradient(patches, borders, radiosity, number), Reason::gradient};
+    for (const DirectLight& light : lights)
+        if (const double shadow = byShadow(light, reflectance, number); shadow > wrong.mean) wrong = {shadow, Reason::shadow};
+    return wrong;
 }
 
 } // namespace
+
+std::vector<double> errorsOfPatches(const std::vector<Patch>& patches, const PatchBorders& borders, std::span<const dvec3> radiosity,
+                                    std::span<const dvec3> reflectance, std::span<const DirectLight> lights) {
+    std::vector<double> errors;
+    for (std::uint32_t i = 0; i < patches.size(); ++i)
+        errors.push_back(wrongOf(patches, borders, radiosity, reflectance, lights, 1, i).mean);
+    return errors;
+}
 
 std::vector<Refinement> patchesToRefine(const std::vector<Patch>& patches, const PatchBorders& borders,
                                         std::span<const dvec3> radiosity, std::span<const dvec3> reflectance,
@@ -129,10 +95,7 @@ std::vector<Refinement> patchesToRefine(const std::vector<Patch>& patches, const
     std::vector<Candidate> candidates;
     std::vector<Reason> reasons(patches.size(), Reason::balance);
     for (std::uint32_t i = 0; i < patches.size(); ++i) {
-        Wrong wrong{limits.gradientWeight * byGradient(patches, borders, radiosity, i), Reason::gradient};
-        for (const DirectLight& light : lights)
-            if (const double shadow = byShadow(light, reflectance, i); shadow > wrong.mean)
-                wrong = {shadow, Reason::shadow};
+        const Wrong wrong = wrongOf(patches, borders, radiosity, reflectance, lights, limits.gradientWeight, i);
         if (patches[i].area < limits.smallestArea || !(wrong.mean * area > limits.smallestError * power)) continue;
         candidates.push_back({rounded(wrong.mean * patches[i].area), i});
         reasons[i] = wrong.reason;
@@ -153,7 +116,7 @@ std::vector<Refinement> patchesToRefine(const std::vector<Patch>& patches, const
         std::erase_if(cuts, [&](std::uint32_t number) { return isCut[number] != 0; });
         std::size_t after = count;
         for (const std::uint32_t number : cuts)
-            after += dividedPieces(patches[number]).size() - 1;
+            after += dividedPatch(patches[number]).size() - 1;
         if (after > limits.mostPatches) break;
         count = after;
         for (const std::uint32_t number : cuts) {
@@ -183,7 +146,7 @@ Refined refined(const std::vector<Patch>& patches, std::span<const Refinement> r
             continue;
         }
         ++next;
-        for (const Polygon& piece : dividedPieces(patches[i]))
+        for (const Polygon& piece : dividedPatch(patches[i]))
             add(pieceOf(patches[i], piece), Refined::kNew, 1);
     }
     return result;

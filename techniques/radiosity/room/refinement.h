@@ -36,6 +36,11 @@ struct Refinement {
     Reason reason = Reason::gradient;
 };
 
+/// By how much each patch is wrong for having one value, in the mean over it, W/m^2: what the gradients to its neighbours and the edges of
+/// shadows let expect. An estimate, and no bound: what lies between two patches, none of them knows.
+std::vector<double> errorsOfPatches(const std::vector<Patch>& patches, const PatchBorders& borders, std::span<const dvec3> radiosity,
+                                    std::span<const dvec3> reflectance, std::span<const DirectLight> lights);
+
 /// The patches to be cut next, by their numbers. A few rounds, each with some more patches, find shadows that one round from
 /// coarse patches misses. `radiosity` (W/m^2) and `reflectance`: of each patch; only luminance is compared. `lights`: the direct
 /// light of each light. Patches whose errors agree to six digits are cut together or not at all, so that symmetric scenes stay
@@ -54,8 +59,7 @@ struct Refined {
     std::vector<std::uint8_t> level;   ///< for each patch how often it has been cut
 };
 
-/// Cuts quads and triangles into four of their shape, quads more than twice as long as wide into two, and other polygons by two
-/// lines through the centre, along the longest edge and perpendicular to it. `level`: of each patch before; empty: all are 0.
+/// Cuts each as dividedPatch() does. `level`: of each patch before; empty: all are 0.
 Refined refined(const std::vector<Patch>& patches, std::span<const Refinement> refinements,
                 std::span<const std::uint8_t> level);
 

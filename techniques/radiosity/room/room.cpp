@@ -22,8 +22,11 @@ constexpr double kCovered = 0.95;
 // Patches that see hardly anything else lie in a fold that the original mesh does not have.
 constexpr double kFold = 0.5, kNothingElse = 0.95;
 
-// The share of the budget that simplified meshes may use; flat faces must be cut as well.
-constexpr double kShareOfFaces = 0.6;
+// The share of the budget that sides of simplified meshes may use; flat faces must be cut as well.
+constexpr double kShareOfSides = 0.6;
+
+// Where contacts cut so much that patches exceed the budget, meshes are simplified further, so often at most.
+constexpr int kMostSimplifications = 4;
 
 /// For each side those that are seen in its place where they overlap (scene/query/coincident/coincident_faces.h); empty: nothing coincides.
 std::vector<std::vector<std::uint32_t>> sidesOver(const Sides& sides, const scene::Scene& scene, const trace::WorldTriangles& world) {
@@ -54,7 +57,9 @@ bool holds(const Polygon& polygon, const dvec3& point, const dvec3& normal) {
 
 } // namespace
 
-Room::Room(const scene::Scene& scene, RoomSettings settings) : scene_(scene), settings_(std::move(settings)) {}
+Room::Room(const scene::Scene& scene, RoomSettings settings)
+    : scene_(scene), settings_(std::move(settings)),
+      mostSides_(static_cast<std::size_t>(kShareOfSides * static_cast<double>(settings_.patches))) {}
 
 bool Room::advance(std::chrono::steady_clock::time_point deadline) {
     do {
@@ -65,7 +70,7 @@ bool Room::advance(std::chrono::steady_clock::time_point deadline) {
             break;
         case Phase::cut:
             cut();
-            phase_ = Phase::sample;
+            phase_ = simplifiesFurther() ? Phase::simplify : Phase::sample;
             break;
         case Phase::sample:
             nextPatch_ = trace::parallelUntil(deadline, nextPatch_, patches_.size(),
@@ -82,7 +87,14 @@ bool Room::advance(std::chrono::steady_clock::time_point deadline) {
 
 void Room::simplify() {
     requireMemoryToSimplify(scene_);
-    simple_ = simplifiedScene(scene_, static_cast<std::size_t>(kShareOfFaces * static_cast<double>(settings_.patches)));
+    std::vector<std::uint8_t> sides; // what is open exchanges light on both
+    for (std::size_t o = 0; o < scene_.objects.size(); ++o) {
+        const scene::Object& object = scene_.objects[o];
+        const bool isLightWithin = o < settings_.lightWithin.size() && settings_.lightWithin[o];
+        sides.push_back(object.mesh->outward && object.castsShadow && !isLightWithin ? 1 : 2);
+    }
+    simple_ = simplifiedScene(scene_, mostSides_, sides);
+    ++simplifications_;
     colors_.emplace(scene_);
     world_ = trace::worldTriangles(*simple_->scene);
     plain_ = facesOf(*simple_->scene, world_);
@@ -98,7 +110,7 @@ void Room::cut() {
     sides_ = sidesOf(*simple_->scene, world_, plain_, settings_.lightWithin);
     bodies_.emplace(*bvh_, world_, sides_.isClosed);
     Faces loose;
-    exchangingFaces_.ofTriangle = sides_.faces.ofTriangle;
+    exchangingFaces_ = {.all = {}, .ofTriangle = sides_.faces.ofTriangle};
     for (std::size_t i = 0; i < sides_.faces.all.size(); ++i)
         (i < sides_.exchanging ? exchangingFaces_ : loose).all.push_back(sides_.faces.all[i]);
     requireMemory(scene_, exchangingFaces_.all.size()); // each is at least one patch, and more where they touch
@@ -115,13 +127,23 @@ void Room::cut() {
     folded_.resize(patches_.size());
 }
 
+/// True: the patches exceed the budget, and the scene has meshes that can be simplified further.
+bool Room::simplifiesFurther() {
+    const std::size_t count = patches_.size();
+    const bool canBeSimplified = std::ranges::any_of(simple_->cornersOfObject, [](const auto& corners) { return !corners.empty(); });
+    if (count <= settings_.patches || !canBeSimplified || simplifications_ == kMostSimplifications) return false;
+    mostSides_ = mostSides_ * settings_.patches / count;
+    return true;
+}
+
 double Room::cutWithinBudget() {
+    const Ground ground = settings_.coarsensGround ? Ground(exchangingFaces_) : Ground();
     // Contacts add patches, and how many is known only after cutting: the budget is reduced by the excess, a few times.
     constexpr int kTries = 6;
     std::size_t budget = settings_.patches;
     for (int i = 0;; ++i) {
-        const double size = sizeForBudget(exchangingFaces_, budget);
-        patches_ = cutIntoPatches(exchangingFaces_, size);
+        const double size = sizeForBudget(exchangingFaces_, budget, ground);
+        patches_ = cutIntoPatches(exchangingFaces_, size, ground);
         if (settings_.cutsAtContacts) patches_ = cutAtContacts(exchangingFaces_, std::move(patches_));
         const std::size_t count = patches_.size();
         if (count <= settings_.patches || budget == 0 || i == kTries) return size;

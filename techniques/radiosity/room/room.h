@@ -18,9 +18,10 @@
 namespace shadowlab::radiosity {
 
 struct RoomSettings {
-    std::size_t patches = 0;       ///< the budget; a scene with more faces has more patches
+    std::size_t patches = 0;       ///< the budget; a scene with more faces that cannot be simplified has more patches
     bool cutsAtContacts = true;    ///< false: light leaks under what stands on a patch (teaching)
     std::vector<bool> lightWithin; ///< for each object: is there a light within its bounding box?
+    bool coarsensGround = true;    ///< false: a wide ground is cut as fine as all else (tests)
     bool leavesOutFolds = true;    ///< false: patches in folds of simplified meshes stay, and stay dark (tests)
     friend bool operator==(const RoomSettings&, const RoomSettings&) = default;
 };
@@ -75,6 +76,7 @@ private:
     void sampleSurroundings(std::size_t patch);
     enum class Phase { simplify, cut, sample, done };
     void simplify();
+    bool simplifiesFurther();
     void cut();
     double cutWithinBudget();
     void leaveOutCovered();
@@ -82,6 +84,8 @@ private:
     const scene::Scene& scene_;
     RoomSettings settings_;
     Phase phase_ = Phase::simplify;
+    std::size_t mostSides_ = 0; ///< that simplified meshes may have
+    int simplifications_ = 0;
     std::optional<SimplifiedScene> simple_;
     std::optional<PatchColors> colors_;
     mutable std::vector<dvec3> reflectances_; ///< empty: not found yet

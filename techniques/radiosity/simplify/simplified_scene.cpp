@@ -27,6 +27,10 @@ constexpr double kWorthIt = 0.75;
 // From cells of an object's own size to 2^-15 of it, so that cell coordinates fit into fifteen bits.
 constexpr int kSteps = 60;
 
+// A step before all others, for scenes of so many objects that even cells of their own size leave too many triangles: each becomes
+// about a box.
+constexpr int kOctants = -1;
+
 /// An object whose mesh is simplified.
 struct Heavy {
     Heavy(const scene::Scene& scene, std::size_t number, double size)
@@ -44,7 +48,11 @@ struct Heavy {
     std::map<int, std::size_t> roughCounts; ///< by step
     std::optional<ClusteredMesh> coarse;    ///< nothing: the mesh stays as it is
 
-    [[nodiscard]] double cell(int step) const { return sceneSize * std::exp2(-0.25 * step); }
+    [[nodiscard]] dvec3 cell(int step) const { return step == kOctants ? clusters.octant() : dvec3(sceneSize * std::exp2(-0.25 * step)); }
+    [[nodiscard]] bool isEnough(std::size_t triangles, int step) const {
+        const bool isFlatEnough = step == kOctants && !object.mesh->outward; // two triangles stand for a flat sheet
+        return triangles >= (isFlatEnough ? 2 : kFewestLeft);
+    }
     [[nodiscard]] std::size_t original() const { return object.mesh->triangles.size(); }
     [[nodiscard]] std::size_t count() const { return coarse ? coarse->triangles.size() : original(); }
     /// About how many triangles remain with cells of that step, or of the next finer step that leaves enough.
@@ -57,10 +65,12 @@ struct Heavy {
         return original();
     }
     void simplify(int step) {
-        for (step = std::clamp(step, firstStep, lastStep); step <= lastStep; ++step) {
-            coarse = clusters.clustered(cell(step));
-            if (coarse->triangles.size() >= kFewestLeft) break;
-        }
+        if (step == kOctants) coarse = clusters.clustered(cell(step));
+        if (step != kOctants || !isEnough(coarse->triangles.size(), step))
+            for (step = std::clamp(step, firstStep, lastStep); step <= lastStep; ++step) {
+                coarse = clusters.clustered(cell(step));
+                if (isEnough(coarse->triangles.size(), step)) break;
+            }
         const auto left = static_cast<double>(coarse->triangles.size());
         if (step > lastStep || left > kWorthIt * static_cast<double>(original())) coarse.reset();
     }
@@ -107,22 +117,26 @@ int lastStepWithin(int first, int finest, std::size_t most, const Count& countAt
 
 } // namespace
 
-SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces) {
+SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostSides, std::span<const std::uint8_t> sidesOfObject) {
     SimplifiedScene answer;
+    const auto sidesOf = [&](std::size_t object) { return sidesOfObject.empty() ? std::size_t{1} : std::size_t{sidesOfObject[object]}; };
+    std::size_t sidesBefore = 0;
     auto changed = std::make_shared<scene::Scene>(scene);
     scene::Bounds bounds;
-    for (scene::Object& object : changed->objects) {
+    for (std::size_t o = 0; o < changed->objects.size(); ++o) {
+        scene::Object& object = changed->objects[o];
         if (object.emitterOfLight >= 0) {
             object.mesh = withoutTriangles(*object.mesh);
             changed->revisions.geometry = scene::newRevision();
         }
         answer.trianglesBefore += object.mesh->triangles.size();
+        sidesBefore += sidesOf(o) * object.mesh->triangles.size();
         if (!object.isFurtherPiece) bounds.include(scene::boundsWorld(object)); // others may lie in another country
     }
     answer.trianglesAfter = answer.trianglesBefore;
     answer.cornersOfObject.resize(scene.objects.size());
     answer.scene = changed;
-    if (answer.trianglesBefore <= mostFaces) return answer;
+    if (sidesBefore <= mostSides) return answer;
 
     std::vector<Heavy> heavy;
     std::size_t kept = 0;
@@ -131,14 +145,14 @@ SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces
         if (triangles > kLightMesh)
             heavy.emplace_back(scene, o, glm::length(bounds.upperWorld - bounds.lowerWorld));
         else
-            kept += triangles;
+            kept += sidesOf(o) * triangles;
     }
     if (heavy.empty()) return answer;
 
     // roughCount() is cheap and finds nearly the right step; the exact counts then decide whether cells may be finer.
     const auto sum = [&](const auto& countOf) {
         std::vector<std::size_t> counts(heavy.size());
-        trace::parallelFor(heavy.size(), [&](std::size_t i) { counts[i] = countOf(heavy[i]); });
+        trace::parallelFor(heavy.size(), [&](std::size_t i) { counts[i] = sidesOf(heavy[i].number) * countOf(heavy[i]); });
         std::size_t all = kept;
         for (const std::size_t count : counts)
             all += count;
@@ -152,12 +166,15 @@ SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces
     };
     const auto rough = [&](int step) { return sum([&](Heavy& one) { return one.roughCount(step); }); };
     const int finest = std::ranges::max_element(heavy, {}, &Heavy::lastStep)->lastStep;
-    int step = lastStepWithin(0, finest, mostFaces, rough);
-    while (step > 0 && simplified(step) > mostFaces)
+    int step = lastStepWithin(0, finest, mostSides, rough);
+    while (step > kOctants && simplified(step) > mostSides)
         --step;
-    step = lastStepWithin(step, finest, mostFaces, simplified);
-    answer.trianglesAfter = simplified(step);
-    answer.cellMetres = heavy.front().cell(step);
+    if (step > kOctants) step = lastStepWithin(step, finest, mostSides, simplified);
+    simplified(step);
+    for (const Heavy& one : heavy) {
+        const dvec3 cell = one.cell(step);
+        answer.cellMetres = std::max({answer.cellMetres, cell.x, cell.y, cell.z});
+    }
 
     for (Heavy& one : heavy)
         if (one.coarse && one.object.mesh->outward) orientOutward(*one.coarse, scene::isMirrored(one.object));
@@ -165,11 +182,13 @@ SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces
         if (one.coarse)
             changed->objects[one.number].mesh = std::make_shared<const scene::Mesh>(meshOf(one.object, *one.coarse));
     changed->revisions.geometry = scene::newRevision();
+    answer.trianglesAfter = 0;
     std::vector<std::uint32_t> firstOfObject;
     std::uint32_t first = 0;
     for (const scene::Object& object : changed->objects) {
         firstOfObject.push_back(first);
         first += static_cast<std::uint32_t>(object.mesh->triangles.size());
+        answer.trianglesAfter += object.mesh->triangles.size();
     }
     for (const Heavy& one : heavy)
         if (one.coarse)

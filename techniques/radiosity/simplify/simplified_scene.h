@@ -5,6 +5,8 @@
 // on the simplified mesh. This is an approximation: creases and shadows finer than a cell are lost, and some of the surface area.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <span>
+
 #include "techniques/radiosity/simplify/surface_places.h"
 
 namespace shadowlab::radiosity {
@@ -20,9 +22,10 @@ struct SimplifiedScene {
     std::uint64_t trianglesBefore = 0, trianglesAfter = 0; ///< without the surfaces of lights
 };
 
-/// At most that many triangles, as far as possible. Meshes of up to a hundred triangles stay as they are, and those of which more
-/// than three fourths would remain. Every other mesh keeps at least eight triangles, by finer cells of its own if necessary.
-/// Cells are as small as the number allows, among the scene's size times 2^(-k/4), k = 0, 1, 2 ...
-SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces);
+/// At most that many sides of triangles that exchange light, as far as possible. `sidesOfObject`: 1 for bodies whose inside is dark, 2
+/// for all others; empty: 1 for all. Meshes of up to a hundred triangles stay as they are, and those of which more than three fourths
+/// would remain. Every other mesh keeps at least eight triangles, by finer cells of its own if necessary. Cells are as small as the
+/// number allows, among the scene's size times 2^(-k/4), k = 0, 1, 2 ... Where all of these leave too many, each mesh becomes about a box.
+SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostSides, std::span<const std::uint8_t> sidesOfObject = {});
 
 } // namespace shadowlab::radiosity

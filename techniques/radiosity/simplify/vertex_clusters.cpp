@@ -166,18 +166,19 @@ void VertexClusters::findPieces() {
 }
 
 /// The lattice is centred on the object, so that a symmetric object stays symmetric.
-dvec3 VertexClusters::latticeOrigin(double cell) const {
+dvec3 VertexClusters::latticeOrigin(const dvec3& cell) const {
     const dvec3 cells = glm::max(glm::ceil((upper_ - lower_) / cell), 1.0);
     return 0.5 * (lower_ + upper_) - 0.5 * cell * cells;
 }
 
-std::vector<std::uint64_t> VertexClusters::cellsOf(double cell) const {
+std::vector<std::uint64_t> VertexClusters::cellsOf(const dvec3& cell) const {
     const dvec3 origin = latticeOrigin(cell), last = glm::max(glm::ceil((upper_ - lower_) / cell), 1.0) - 1.0;
+    const double side = std::max({cell.x, cell.y, cell.z});
     std::vector<std::uint64_t> cells;
     cells.reserve(positions_.size());
     for (std::size_t v = 0; v < positions_.size(); ++v) {
         const Piece& piece = pieces_[pieceOfVertex_[v]];
-        if (static_cast<double>(piece.triangles) <= kTrianglesOfCell * piece.area / (cell * cell)) {
+        if (static_cast<double>(piece.triangles) <= kTrianglesOfCell * piece.area / (side * side)) {
             cells.push_back(kOwn | placeOfVertex_[v]);
             continue;
         }
@@ -189,14 +190,14 @@ std::vector<std::uint64_t> VertexClusters::cellsOf(double cell) const {
     return cells;
 }
 
-std::size_t VertexClusters::roughCount(double cell) const {
+std::size_t VertexClusters::roughCount(const dvec3& cell) const {
     const std::vector<std::uint64_t> cells = cellsOf(cell);
     return static_cast<std::size_t>(std::ranges::count_if(mesh_.triangles, [&](const uvec3& t) {
         return hasThree({cells[t.x], cells[t.y], cells[t.z]});
     }));
 }
 
-void VertexClusters::placeVertices(ClusteredMesh& mesh, std::span<const std::uint64_t> cells, double cell) const {
+void VertexClusters::placeVertices(ClusteredMesh& mesh, std::span<const std::uint64_t> cells, const dvec3& cell) const {
     std::vector<Quadric> quadrics(cells.size());
     for (std::size_t v = 0; v < positions_.size(); ++v) {
         Quadric& quadric = quadrics[mesh.clusterOfVertex[v]];
@@ -237,7 +238,7 @@ void VertexClusters::placeVertices(ClusteredMesh& mesh, std::span<const std::uin
     }
 }
 
-ClusteredMesh VertexClusters::clustered(double cell) const {
+ClusteredMesh VertexClusters::clustered(const dvec3& cell) const {
     ClusteredMesh mesh;
     const std::vector<std::uint64_t> cellOfVertex = cellsOf(cell);
     std::vector<std::uint64_t> cells = cellOfVertex;

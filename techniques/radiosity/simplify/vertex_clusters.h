@@ -29,15 +29,17 @@ public:
     /// The object's mesh must outlive this object.
     explicit VertexClusters(const scene::Object& object);
 
-    /// How many triangles remain with cells of that size in metres; coinciding ones are counted more than once.
-    [[nodiscard]] std::size_t roughCount(double cell) const;
+    /// How many triangles remain with cells of that size along each axis, metres; coinciding ones are counted more than once.
+    [[nodiscard]] std::size_t roughCount(const dvec3& cell) const;
     /// The mesh with cells of that size. Of coinciding triangles one is kept for all that face one way, less those that face the
     /// other; both where the two sides of a thin sheet coincide. Triangles no wider than a thousandth of their length are left
     /// out: their third corner lies on a side, so no gap opens, but their normal would be arbitrary.
-    [[nodiscard]] ClusteredMesh clustered(double cell) const;
+    [[nodiscard]] ClusteredMesh clustered(const dvec3& cell) const;
 
     /// The diagonal of the mesh's bounding box, metres. Cells of that size leave nothing.
     [[nodiscard]] double size() const { return glm::length(upper_ - lower_); }
+    /// The eight cells that the bounding box is cut into by halving each of its sides: they leave about a box.
+    [[nodiscard]] dvec3 octant() const { return glm::max(0.5 * (upper_ - lower_), dvec3(1e-6 * size())); }
     /// Positions of the original vertices, and the part of an original triangle.
     [[nodiscard]] const std::vector<dvec3>& positions() const { return positions_; }
     [[nodiscard]] std::uint32_t partOf(std::size_t triangle) const { return parts_[triangle]; }
@@ -48,9 +50,9 @@ private:
         std::uint32_t from, to, triangle;
     };
     void findPieces();
-    [[nodiscard]] std::vector<std::uint64_t> cellsOf(double cell) const;
-    [[nodiscard]] dvec3 latticeOrigin(double cell) const;
-    void placeVertices(ClusteredMesh& mesh, std::span<const std::uint64_t> cells, double cell) const;
+    [[nodiscard]] std::vector<std::uint64_t> cellsOf(const dvec3& cell) const;
+    [[nodiscard]] dvec3 latticeOrigin(const dvec3& cell) const;
+    void placeVertices(ClusteredMesh& mesh, std::span<const std::uint64_t> cells, const dvec3& cell) const;
 
     const scene::Mesh& mesh_;
     std::vector<dvec3> positions_; ///< metres
