@@ -31,6 +31,9 @@ struct RadiosityParams {
     int lightMapPoints = 60000;
     enum class Gather { none, shared, pixels } gather = Gather::shared; ///< with direct light of pixels
     int gatherSamples = 128;
+    [[nodiscard]] bool isFlat() const { return display == Display::flat; }
+    [[nodiscard]] bool showsPixels() const { return !isFlat() && direct == Direct::pixels; }
+    [[nodiscard]] bool gathers() const { return showsPixels() && gather != Gather::none; }
     double exposure = 0; ///< stops
     [[nodiscard]] double exposureFactor() const { return std::exp2(exposure); }
     int bounce = 2, fromPatch = -1, toPatch = -1;

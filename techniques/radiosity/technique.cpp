@@ -18,11 +18,13 @@
 #include "techniques/probed/patch_exchange.h"
 #include "techniques/radiosity/described.h"
 #include "techniques/radiosity/display/light_map.h"
+#include "techniques/radiosity/display/patch_error.h"
 #include "techniques/radiosity/display/pixel_picture.h"
 #include "techniques/radiosity/display/stages.h"
 #include "techniques/radiosity/display/surface_picture.h"
 #include "techniques/radiosity/equations/light_balance.h"
 #include "techniques/radiosity/exchange/hemicube_exchange.h"
+#include "techniques/radiosity/lights/lamp_cover.h"
 #include "techniques/radiosity/params.h"
 #include "techniques/radiosity/probe.h"
 #include "techniques/radiosity/room_cache.h"
@@ -36,14 +38,14 @@ public:
     params::ParamList params() override { return describe(params_); }
 
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
-        if (showsPixels()) return {}; // direct light can be drawn before there are patches
+        if (params_.showsPixels()) return {}; // direct light can be drawn before there are patches
         if (!cache_.advance(snapshot, params_, deadline)) return {cache_.done(), false};
         return {};
     }
 
     Progress render(Frame& frame) override {
         // Direct light first: until the room is prepared it is all there is to show.
-        std::optional<DirectShown> found = showsPixels() ? advanceDirect(frame, frame.deadline()) : std::nullopt;
+        std::optional<DirectShown> found = params_.showsPixels() ? advanceDirect(frame, frame.deadline()) : std::nullopt;
         if (!cache_.advance(frame.snapshot(), params_, frame.deadline())) return drawBeforehand(frame, found, cache_.done());
         if (!cache_.hasFormFactors() && !drawFormFactors(frame.deadline()))
             return drawBeforehand(frame, found, 0.9 * hemicubes_->done());
@@ -54,9 +56,11 @@ public:
         const bool isSolved = advanceSolver(static_cast<std::size_t>(params_.stepsPerPicture), deadline);
         if (!found) found = advanceDirect(frame, deadline);
         const DirectShown direct = found.value_or(DirectShown()); // until then that of the patches
-        const bool mayGather = gathers() && isSolved && found;
-        const bool isGathered = mayGather ? advanceGather(frame, deadline) : !gathers();
-        const Showing showing{frame, cache_, sources_, balance_, picture_, params_};
+        const bool mayGather = params_.gathers() && isSolved && found;
+        const bool isGathered = mayGather ? advanceGather(frame, deadline) : !params_.gathers();
+        Showing showing{frame, cache_, sources_, balance_, picture_, params_, std::nullopt};
+        if (isSolved)
+            showing.patchError = patchError_.share(cache_, sources_, balance_, params_.showsPixels(), frame.view().camera.positionWorld);
 
         frame.pass(passInfo(kPasses, "patches"), [&] { clear(frame); });
         frame.pass(passInfo(kPasses, "form-factors"), [&] { clear(frame); });
@@ -65,11 +69,13 @@ public:
             frame.pass(
                 passInfo(kPasses, "light"), [&] { drawLitBy(showing, light + 1); }, light);
         frame.pass(passInfo(kPasses, "solve"), [&] { drawSolution(showing); });
-        if (!isFlat()) frame.pass(passInfo(kPasses, "display"), [&] { drawReflected(showing, direct, mayGather && pixels_.hasGathered()); });
+        if (!params_.isFlat()) frame.pass(passInfo(kPasses, "display"), [&] { drawReflected(showing, direct, mayGather && pixels_.hasGathered()); });
         for (int light = 0; direct.pixels && light < static_cast<int>(frame.scene().lights.size()); ++light)
             frame.pass(
                 passInfo(kPasses, "direct"), [&] { direct.pixels->addDirect(frame, light, params_.exposureFactor()); }, light);
 
+        if (isGathered && mayGather && params_.gather == RadiosityParams::Gather::shared)
+            frame.count("gathering-alone", static_cast<double>(pixels_.gatheredAlone()), frame.view().size.x * frame.view().size.y);
         publishStages(showing, direct);
         publishNotes(showing);
         const bool isFinished = isSolved && found && isGathered;
@@ -107,9 +113,6 @@ private:
         friend bool operator==(const ShownCacheKey&, const ShownCacheKey&) = default;
     };
 
-    [[nodiscard]] bool showsPixels() const { return !isFlat() && params_.direct == RadiosityParams::Direct::pixels; }
-    [[nodiscard]] bool isFlat() const { return params_.display == RadiosityParams::Display::flat; }
-
     /// Form factors by hemicubes need the graphics card, so they are drawn here and not in prepare(). True when all are there.
     bool drawFormFactors(Deadline deadline) {
         const HemicubeCacheKey key{cache_.version(), params_.hemicubeSide};
@@ -137,6 +140,9 @@ private:
         if (key == solutionKey_) return;
         solutionKey_ = key;
         sources_ = sourcesOf(cache_.room(), cache_.lights(), outside(*snapshot));
+        for (std::size_t i = 0; i < sources_.size(); ++i)
+            sources_.reflectance[i] *= 1 - coveredByLamps(cache_.room().allPatches()[i], snapshot->lights, cache_.room().world().originWorld);
+        emitters_ = Emitters(cache_.room(), sources_);
         balance_.restart(cache_.exchange(), sources_, params_.solver, params_.ambientTerm);
     }
 
@@ -162,7 +168,7 @@ private:
     /// passes before `display` draw flat patches), it is that of the patches.
     std::optional<DirectShown> advanceDirect(const Frame& frame, Deadline deadline) {
         const auto& last = frame.stopsAfter();
-        if (isFlat() || (last && last->id != "display" && last->id != "direct")) return DirectShown();
+        if (params_.isFlat() || (last && last->id != "display" && last->id != "direct")) return DirectShown();
         if (params_.direct == RadiosityParams::Direct::pixels) {
             if (!pixels_.advanceDirect(frame.snapshot(), frame.view(), deadline)) return std::nullopt;
             return DirectShown{&pixels_, nullptr};
@@ -203,10 +209,8 @@ private:
 
     /// One value per patch. Pass `display` draws over it, unless the frame stops here.
     void drawSolution(const Showing& showing) const {
-        if (showing.frame.stopsAfter() || isFlat()) showing.draw(balance_.radiosity(), false);
+        if (showing.frame.stopsAfter() || params_.isFlat()) showing.draw(balance_.radiosity(), false);
     }
-
-    [[nodiscard]] bool gathers() const { return showsPixels() && params_.gather != RadiosityParams::Gather::none; }
 
     /// True when all rays are sent, or the frame stops before what they gather is shown.
     bool advanceGather(const Frame& frame, Deadline deadline) {
@@ -214,7 +218,7 @@ private:
         std::vector<dvec3> reflected = balance_.irradianceShown();
         for (std::size_t i = 0; i < reflected.size(); ++i)
             reflected[i] -= sources_.fromLights[i];
-        const GatherSolution solution{cache_, sources_, reflected, outside(*frame.snapshot()), balance_.version()};
+        const GatherSolution solution{cache_, sources_, emitters_, reflected, outside(*frame.snapshot()), balance_.version()};
         const auto rays = static_cast<std::size_t>(params_.gatherSamples);
         if (params_.gather == RadiosityParams::Gather::pixels) return pixels_.advanceGather(solution, rays, deadline);
         return pixels_.advanceSharedGather(solution, rays, deadline);
@@ -243,7 +247,9 @@ private:
     std::unique_ptr<HemicubeExchange> hemicubes_; ///< while form factors are being drawn
     HemicubeCacheKey hemicubesKey_;
     SolutionCacheKey solutionKey_;
+    PatchError patchError_;
     Sources sources_;
+    Emitters emitters_;
     LightBalance balance_;
     LightMap lightMap_;
     SurfacePicture picture_;

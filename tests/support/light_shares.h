@@ -1,7 +1,9 @@
 // The share of light that a technique finds at every pixel, in floats: soft shadows are judged by more than black and white.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "app/lab/settings.h"
 #include "app/picture/picture.h"
@@ -42,6 +44,12 @@ public:
     std::vector<vec4> radiance(const std::vector<std::string>& settings, ivec2 size) {
         render(settings, size, {});
         return gl::readTexels(slots_[0].target.color);
+    }
+    /// What the technique's counter of that name says (Frame::count); -1: there is none.
+    double counted(const std::vector<std::string>& settings, ivec2 size, std::string_view counter) {
+        const picture::RenderedFrame frame = render(settings, size, {});
+        const auto found = std::ranges::find(frame.result.counters, counter, &Counter::id);
+        return found == frame.result.counters.end() ? -1 : found->built;
     }
 
 private:

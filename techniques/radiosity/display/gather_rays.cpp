@@ -16,6 +16,12 @@ namespace {
 // Nearer than that is contact, metres.
 constexpr double kLeastDistance = 1e-9;
 
+// A ray that ends before this share of its way is lacking has arrived: meshes are rounded to floats.
+constexpr double kSamePlace = 1e-5;
+
+// The golden ratio less one: its multiples fill the unit interval evenly.
+constexpr double kGolden = 0.6180339887498949;
+
 /// A place of its own in the unit square for each pixel, by which the sequence of all pixels is shifted (R. Cranley and T. Patterson,
 /// "Randomization of Number Theoretic Methods for Multiple Integration", SIAM Journal on Numerical Analysis 13, 1976): else all pixels
 /// would make the same error, and one would see it as edges. The hash is SplitMix64 (Steele, Lea and Flood 2014).
@@ -60,11 +66,15 @@ std::optional<std::uint32_t> patchOf(const SurfaceCells& cells, const trace::Sce
 }
 
 /// What the surface there sends, W/m^2.
-dvec3 radiosityAt(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
+struct Sent {
+    dvec3 emitted{0.0}, reflected{0.0};
+    double density = 0; ///< with which the point is chosen among those of emitters, 1/m^2
+};
+Sent radiosityAt(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
     // What a lamp sends is direct light, which has been counted.
-    if (tracer.objectOf(point).emitterOfLight >= 0) return dvec3(0);
+    if (tracer.objectOf(point).emitterOfLight >= 0) return {};
     const auto patch = patchOf(solution.cache.cells(), tracer, point);
-    if (!patch) return dvec3(0); // the inside of a closed body: dark
+    if (!patch) return {}; // the inside of a closed body: dark
     dvec3 irradiance = solution.reflectedIrradiance[*patch];
     for (int i = 0; i < static_cast<int>(tracer.scene().lights.size()); ++i) {
         const scene::Light& source = tracer.scene().light(i);
@@ -73,7 +83,36 @@ dvec3 radiosityAt(const GatherSolution& solution, const trace::SceneTracer& trac
         else if (tracer.visibility(point, i) == trace::Visibility::lit)
             irradiance += scene::irradiance(source, tracer.positionWorld(point), geometricNormal(tracer, point));
     }
-    return solution.sources.emission[*patch] + solution.sources.reflectance[*patch] * irradiance;
+    return {solution.sources.emission[*patch], solution.sources.reflectance[*patch] * irradiance, solution.emitters.density(*patch)};
+}
+
+/// The share of what is found in a direction that counts where two kinds of rays may find it, this one and another.
+double balanced(double density, double densityOfOther) { return density / (density + densityOfOther); }
+
+/// The density of a direction, 1/sr, in which one sees the point, from that of the point on its surface.
+double densityOfDirection(double density, double distance, double cosineThere) {
+    return density * distance * distance / std::max(cosineThere, 1e-9);
+}
+
+/// What a ray to a chosen point of an emitter brings.
+struct FromEmitter {
+    dvec3 irradiance{0.0}; ///< W/m^2
+    double distance = 1;   ///< metres
+};
+FromEmitter fromEmitter(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point, const dvec3& normal,
+                  const Emitters::Choice& chosen) {
+    const dvec3 way = chosen.positionWorld - tracer.positionWorld(point);
+    const double distance = glm::length(way);
+    if (!(distance > kLeastDistance)) return {};
+    const dvec3 direction = way / distance;
+    const double cosineHere = glm::dot(direction, normal), cosineThere = -glm::dot(direction, chosen.normal);
+    if (cosineHere <= 0 || cosineThere <= 0 || glm::dot(direction, geometricNormal(tracer, point)) <= 0) return {};
+    const trace::SurfacePoint met = tracer.nextPoint(point, direction);
+    if (!met || glm::distance(tracer.positionWorld(met), tracer.positionWorld(point)) < (1 - kSamePlace) * distance) return {};
+    const double byChoice = densityOfDirection(solution.emitters.density(chosen.patch), distance, cosineThere);
+    const double weight = balanced(byChoice, cosineHere / glm::pi<double>());
+    const double density = densityOfDirection(chosen.density, distance, cosineThere);
+    return {weight * cosineHere / (glm::pi<double>() * density) * solution.sources.emission[chosen.patch], distance};
 }
 
 } // namespace
@@ -96,7 +135,22 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
             ++sum.met;
         }
         // A surface that sends B all over the half sphere brings B.
-        sum.irradiance += met ? radiosityAt(solution, tracer, met) : glm::pi<double>() * solution.outside;
+        if (met) {
+            const Sent sent = radiosityAt(solution, tracer, met);
+            const double cosineThere = -glm::dot(direction, geometricNormal(tracer, met));
+            const double other = densityOfDirection(sent.density, glm::distance(from, tracer.positionCentred(met)), std::abs(cosineThere));
+            sum.irradiance += sent.reflected + balanced(glm::dot(leaning, normal) / glm::pi<double>(), other) * sent.emitted;
+        } else {
+            sum.irradiance += glm::pi<double>() * solution.outside;
+        }
+        if (!solution.emitters.isEmpty()) {
+            const double which = glm::fract(kGolden * (static_cast<double>(i) + 0.5) + shift.x + shift.y);
+            const dvec2 where = glm::fract(pointOf(i) + dvec2(shift.y, shift.x));
+            const FromEmitter found = fromEmitter(solution, tracer, point, normal, solution.emitters.choose(which, where));
+            sum.irradiance += found.irradiance;
+            sum.fromEmitters += luminance(found.irradiance);
+            sum.nearnessOfEmitters += luminance(found.irradiance) / found.distance;
+        }
     }
     return sum;
 }

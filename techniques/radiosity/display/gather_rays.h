@@ -7,11 +7,12 @@
 // is then seen only in the mean over all that the point sees.
 //
 // Where a ray ends, what lights without an area bring there is found by a shadow ray, since that has edges; all else is the patch's.
+// What patches emit by themselves is also asked for on purpose, by rays to points of them (emitters.h).
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
 
-#include "techniques/radiosity/equations/light_balance.h"
+#include "techniques/radiosity/display/emitters.h"
 #include "techniques/radiosity/lights/pixel_light.h"
 #include "techniques/radiosity/room_cache.h"
 
@@ -21,6 +22,7 @@ namespace shadowlab::radiosity {
 struct GatherSolution {
     const RoomCache& cache;
     const Sources& sources;
+    const Emitters& emitters;
     std::span<const dvec3> reflectedIrradiance; ///< of each patch, W/m^2: all but the direct light of lights
     dvec3 outside{0.0};                         ///< radiance where a ray meets nothing
     std::uint64_t version = 0;                  ///< changes with any of them
@@ -40,9 +42,11 @@ struct Gathered {
     dvec3 irradiance{0.0};
     double nearness = 0; ///< of 1 / distance of what was met, 1/m
     std::size_t met = 0; ///< how many met something
+    // Of the luminance of that irradiance, what emitters bring that were asked for on purpose; and the sum of it over their distance, 1/m.
+    double fromEmitters = 0, nearnessOfEmitters = 0;
 };
 
-/// From what a pixel shows: rays `first` to `first + count - 1` of its sequence. `light` must be complete.
+/// From what a pixel shows: rays `first` to `first + count - 1` of its sequence, and where patches emit as many to them. `light` must be complete.
 Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 pixel, std::size_t first, std::size_t count);
 
 } // namespace shadowlab::radiosity

@@ -81,6 +81,13 @@ void noteSolution(Frame& frame, const Showing& showing) {
                look::kLit);
 }
 
+void noteError(Frame& frame, double share) {
+    frame.count("patch-error-percent", 100 * share);
+    frame.note("what is left",
+               "patches of one value each are wrong by about " + percent(share) + " of the light, in the mean; the picture smooths it",
+               look::kLit);
+}
+
 /// Materials with properties that a Lambertian surface does not have.
 void noteMaterials(Frame& frame) {
     std::string names;
@@ -98,6 +105,7 @@ void publishNotes(const Showing& showing) {
     noteRoom(showing.frame, showing.cache.room(), showing.params.patches);
     noteFormFactors(showing.frame, showing.cache.exchange());
     noteSolution(showing.frame, showing);
+    if (showing.patchError) noteError(showing.frame, *showing.patchError);
     noteMaterials(showing.frame);
 }
 

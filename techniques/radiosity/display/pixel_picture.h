@@ -20,6 +20,8 @@ public:
     bool advanceGather(const GatherSolution& solution, std::size_t rays, Deadline deadline);
     /// Gathers for some pixels, and shares. True when all have their irradiance.
     bool advanceSharedGather(const GatherSolution& solution, std::size_t rays, Deadline deadline);
+    /// Of the shared gather: how many pixels had to gather by themselves, besides those of the lattice.
+    [[nodiscard]] std::size_t gatheredAlone() const { return shared_.alone(); }
     /// Can what was gathered last be shown?
     [[nodiscard]] bool hasGathered() const { return hasGathered_; }
 

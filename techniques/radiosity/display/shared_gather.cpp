@@ -25,8 +25,19 @@ constexpr double kLeastWeight = 1.0;
 // A record farther from the pixel's plane than this share of its range lies on another surface.
 constexpr double kOffThePlane = 0.05;
 
+// The range of a point whose rays meet nothing: farther than any scene reaches, metres.
+constexpr double kSeesNothing = 1e30;
+
 // Pieces of work of a thread.
 constexpr std::size_t kPiece = 16;
+
+/// R, metres: what emitters bring, as much as it is of all, changes with the distance to them.
+double rangeOf(const Gathered& sum) {
+    const double all = std::max(luminance(sum.irradiance), 1e-300);
+    const double ofOthers = 1 - std::min(1.0, sum.fromEmitters / all);
+    const double nearness = (sum.met > 0 ? ofOthers * sum.nearness / static_cast<double>(sum.met) : 0) + sum.nearnessOfEmitters / all;
+    return nearness > 1 / kSeesNothing ? 1 / nearness : kSeesNothing;
+}
 
 /// A linear function of the offset, v + dot(slope, offset), that fits weighted values best (least squares).
 class PlaneFit {
@@ -110,9 +121,8 @@ SharedGather::Record SharedGather::recordAt(const GatherSolution& solution, cons
     const trace::SurfacePoint& point = light.pointAt(pixel);
     if (!point) return {};
     const Gathered sum = gather(solution, light, pixel, 0, count);
-    const double rays = static_cast<double>(count);
-    return {true, light.tracer().positionCentred(point), light.normalWorld(point), sum.irradiance / rays,
-            static_cast<double>(sum.met) / std::max(sum.nearness, 1e-30)};
+    return {true, light.tracer().positionCentred(point), light.normalWorld(point), sum.irradiance / static_cast<double>(count),
+            rangeOf(sum)};
 }
 
 void SharedGather::share(const PixelLight& light) {

@@ -34,6 +34,7 @@ struct Showing {
     const LightBalance& balance;
     const SurfacePicture& picture;
     const RadiosityParams& params;
+    std::optional<double> patchError; ///< what having one value each costs those that face the eye, as a share of the light; nothing: not solved yet
 
     /// Draws radiosities of all patches into the bound framebuffer.
     void draw(std::span<const dvec3> radiosity, bool interpolates) const;
