@@ -105,9 +105,10 @@ PAGES = {
         Refinement("A shadow ray leaves its own triangle out", "still-life", ("exclude-source=false",), (), ("ray_tracing/picture.cpp",)),
     )),
     "radiosity": Page("radiosity", "lecture-radiosity", ("lecture/radiosity.cpp",), ("radiosity",), "cornell-room", (
-        Refinement("Patches end where things stand on them", "cornell-room", ("cut-at-contacts=false",), (), ("radiosity/patches",)),
-        Refinement("Patches are cut finer where light changes", "cornell-room", (), ("refine=2",), ("radiosity/patches",)),
-        Refinement("Form factors in closed form, not drawn", "cornell-room", ("form-factors=hemicube",), (), ("radiosity/form_factors",)),
+        Refinement("Direct light is that of pixels, not of patches", "cornell-room", ("direct=patches",), (), ("radiosity/lights/pixel_light.h", "radiosity/lights/pixel_light.cpp")),
+        Refinement("Patches end where things stand on them", "cornell-room", ("direct=patches", "cut-at-contacts=false"), ("direct=patches",), ("radiosity/patches",)),
+        Refinement("Patches are cut finer where light changes", "cornell-room", ("direct=patches",), ("direct=patches", "refine=2"), ("radiosity/patches",)),
+        Refinement("Form factors in closed form, not drawn", "cornell-room", ("direct=patches", "form-factors=hemicube"), ("direct=patches",), ("radiosity/form_factors",)),
     )),
 }
 
