@@ -198,7 +198,6 @@ TEST_F(RadiosityGatherTest, ComesNearerToPathsFollowedByChance) {
     const double interpolated = difference("gather=none"), gathered = difference("gather=pixels");
     EXPECT_LT(gathered, 0.02) << "the bound for rooms; half a hundredth of it is the scatter of paths";
     EXPECT_LT(gathered, 0.95 * interpolated) << interpolated; // what is left of either is mostly the scatter of paths
-    // Just above the lamp the ceiling is dark in a strip as high as a pixel. The lattice of pixels that gather misses it.
     EXPECT_LT(difference("gather=shared"), 0.02);
 }
 
