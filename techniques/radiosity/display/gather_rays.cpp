@@ -87,7 +87,7 @@ Sent radiosityAt(const GatherSolution& solution, const trace::SceneTracer& trace
 }
 
 /// The share of what is found in a direction that counts where two kinds of rays may find it, this one and another.
-double balanced(double density, double densityOfOther) { return density / (density + densityOfOther); }
+double balanced(double density, double densityOfOther) { return density > 0 ? density / (density + densityOfOther) : 0; }
 
 /// The density of a direction, 1/sr, in which one sees the point, from that of the point on its surface.
 double densityOfDirection(double density, double distance, double cosineThere) {
@@ -99,8 +99,8 @@ struct FromEmitter {
     dvec3 irradiance{0.0}; ///< W/m^2
     double distance = 1;   ///< metres
 };
-FromEmitter fromEmitter(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point, const dvec3& normal,
-                  const Emitters::Choice& chosen) {
+FromEmitter fromEmitter(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point,
+                        const dvec3& normal, const Emitters::Choice& chosen) {
     const dvec3 way = chosen.positionWorld - tracer.positionWorld(point);
     const double distance = glm::length(way);
     if (!(distance > kLeastDistance)) return {};
@@ -130,15 +130,13 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
         // body some directions then count twice, and others not at all.)
         const dvec3 direction = leaning - 2 * std::min(0.0, glm::dot(leaning, flat)) * flat;
         const trace::SurfacePoint met = tracer.nextPoint(point, direction);
-        if (met) {
-            sum.nearness += 1 / std::max(glm::distance(from, tracer.positionCentred(met)), kLeastDistance);
-            ++sum.met;
-        }
         // A surface that sends B all over the half sphere brings B.
         if (met) {
+            const double distance = std::max(glm::distance(from, tracer.positionCentred(met)), kLeastDistance);
+            sum.nearness += 1 / distance;
+            ++sum.met;
             const Sent sent = radiosityAt(solution, tracer, met);
-            const double cosineThere = -glm::dot(direction, geometricNormal(tracer, met));
-            const double other = densityOfDirection(sent.density, glm::distance(from, tracer.positionCentred(met)), std::abs(cosineThere));
+            const double other = densityOfDirection(sent.density, distance, -glm::dot(direction, geometricNormal(tracer, met)));
             sum.irradiance += sent.reflected + balanced(glm::dot(leaning, normal) / glm::pi<double>(), other) * sent.emitted;
         } else {
             sum.irradiance += glm::pi<double>() * solution.outside;
