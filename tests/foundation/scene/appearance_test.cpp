@@ -20,7 +20,7 @@ std::string redAndGreen(std::uint8_t alphaOfGreen = 255) {
     image::Image picture(2, 1);
     picture.set(0, 0, {255, 0, 0, 255});
     picture.set(1, 0, {0, 255, 0, alphaOfGreen});
-    const std::vector<std::uint8_t> bytes = image::encodePng(picture, {});
+    const std::vector<std::uint8_t> bytes = image::encodePng(picture, {.opaque = alphaOfGreen == 255, .text = {}});
     return {bytes.begin(), bytes.end()};
 }
 
@@ -118,7 +118,7 @@ TEST(VertexColors, BeyondTheirRangeAreNoted) {
     const ObjFile above = loaded("", "v 0 0 0 300 0 0\nv 1 0 0 0 255 0\nv 0 1 0\nf 1 2 3\n");
     EXPECT_EQ(above.mesh.colors[0], vec3(1, 0, 0));
     ASSERT_EQ(above.notes.size(), 2u);
-    EXPECT_TRUE(above.notes[1].ends_with("m.obj:1: a vertex colour above 255 is read as 255")) << above.notes[1];
+    EXPECT_TRUE(above.notes[0].ends_with("m.obj:1: a vertex colour above 255 is read as 255")) << above.notes[0];
 }
 
 // A roof of two squares that meet at a right angle along an edge, which the file lists twice.

@@ -144,7 +144,7 @@ private:
             ignore("option " + option + " of " + keyword + " is not supported and ignored", line);
         if (parsed.file.empty()) return ignore(keyword + " names no image and is ignored", line);
         auto& kept = keyword == "map_d" ? statements_.alphaMap : statements_.diffuseMap;
-        if (kept)
+        if (kept && !kept->looksLike(parsed))
             ignore("a further " + keyword + " of one material takes the place of the one before it, which is ignored", line);
         kept = std::move(parsed);
     }

@@ -18,6 +18,10 @@ struct MtlMap {
     double base = 0.0, gain = 1.0;                                                     ///< -mm
     MaskChoice::Channel channel = MaskChoice::Channel::alphaOrBrightness;              ///< -imfchan, of a mask
     std::vector<std::string> ignored;                                                  ///< options that change the look, and are not supported
+
+    [[nodiscard]] bool looksLike(const MtlMap& other) const {
+        return file == other.file && placement == other.placement && base == other.base && gain == other.gain && channel == other.channel;
+    }
 };
 
 /// Options stand before the name, or, as some programs write them, after it. -s, -o, -clamp, -mm and -imfchan are kept; -bm is about
