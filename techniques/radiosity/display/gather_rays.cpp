@@ -6,6 +6,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "techniques/foundation/base/mixed_bits.h"
 #include "techniques/foundation/math/perpendicular.h"
 #include "techniques/foundation/scene/query/shading.h"
 
@@ -24,14 +25,11 @@ constexpr double kGolden = 0.6180339887498949;
 
 /// A place of its own in the unit square for each pixel, by which the sequence of all pixels is shifted (R. Cranley and T. Patterson,
 /// "Randomization of Number Theoretic Methods for Multiple Integration", SIAM Journal on Numerical Analysis 13, 1976): else all pixels
-/// would make the same error, and one would see it as edges. The hash is SplitMix64 (Steele, Lea and Flood 2014).
+/// would make the same error, and one would see it as edges.
 dvec2 shiftOf(ivec2 pixel) {
-    std::uint64_t key = static_cast<std::uint32_t>(pixel.x) | (static_cast<std::uint64_t>(static_cast<std::uint32_t>(pixel.y)) << 32);
-    key += 0x9e3779b97f4a7c15u;
-    key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9u;
-    key = (key ^ (key >> 27)) * 0x94d049bb133111ebu;
-    key ^= key >> 31;
-    return dvec2(static_cast<double>(key & 0xffffffffu), static_cast<double>(key >> 32)) * 0x1p-32;
+    const std::uint64_t bits =
+        mixedBits(static_cast<std::uint32_t>(pixel.x) | (static_cast<std::uint64_t>(static_cast<std::uint32_t>(pixel.y)) << 32));
+    return dvec2(static_cast<double>(bits & 0xffffffffu), static_cast<double>(bits >> 32)) * 0x1p-32;
 }
 
 /// The points of a sequence whose beginnings fill the unit square evenly, however long they are: multiples of the powers of 1 / p,
@@ -51,7 +49,7 @@ dvec3 cosineDirection(const dvec3& normal, const dvec2& place) {
 /// The triangle's own normal, on the side from which the point was found.
 dvec3 geometricNormal(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
     const trace::Triangle& t = tracer.bvh().triangles[point.primitive];
-    const dvec3 normal = glm::normalize(glm::cross(t.b - t.a, t.c - t.a));
+    const dvec3 normal = glm::normalize(trace::frontOf(t));
     return point.eyeOnFront ? normal : -normal;
 }
 

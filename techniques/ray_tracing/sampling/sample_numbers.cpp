@@ -4,24 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "techniques/foundation/base/mixed_bits.h"
+
 namespace shadowlab::ray_tracing {
 
 namespace {
-
-/// A hash: every bit of the key affects every bit of the result. D. Stafford's constants for the last step of MurmurHash3, 2011,
-/// as in Steele, Lea and Flood's SplitMix64, 2014.
-std::uint64_t mixed(std::uint64_t key) {
-    key += 0x9e3779b97f4a7c15u;
-    key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9u;
-    key = (key ^ (key >> 27)) * 0x94d049bb133111ebu;
-    return key ^ (key >> 31);
-}
 
 double fraction(std::uint32_t bits) { return bits * 0x1p-32; }
 
 /// Two pseudo-random numbers.
 dvec2 chance(std::uint64_t key) {
-    const std::uint64_t bits = mixed(key);
+    const std::uint64_t bits = mixedBits(key);
     return {fraction(static_cast<std::uint32_t>(bits)), fraction(static_cast<std::uint32_t>(bits >> 32))};
 }
 
@@ -37,7 +30,7 @@ std::uint32_t shuffled(std::uint32_t place, std::uint32_t count, std::uint64_t k
     const std::uint32_t half = std::max(1u, bits / 2);
     do {
         for (std::uint32_t round = 0; round < 4; ++round) {
-            const std::uint64_t random = mixed(key + round);
+            const std::uint64_t random = mixedBits(key + round);
             place = (place + static_cast<std::uint32_t>(random >> 32)) & mask;
             place = (place * (static_cast<std::uint32_t>(random) | 1u)) & mask; // odd: has an inverse
             place ^= place >> half;
@@ -87,7 +80,7 @@ std::uint32_t secondOfSobol(std::uint32_t index) {
 
 /// Point `index` of a sequence whose first 2^n points fill the square evenly, for every n.
 dvec2 evenPoint(std::uint32_t index, std::uint64_t key) {
-    const std::uint64_t order = mixed(key), where = mixed(key + 1);
+    const std::uint64_t order = mixedBits(key), where = mixedBits(key + 1);
     // A different order in each dimension.
     const std::uint32_t place = scrambled(index, static_cast<std::uint32_t>(order));
     return {fraction(scrambled(reversed(place), static_cast<std::uint32_t>(where))),
@@ -98,21 +91,21 @@ dvec2 evenPoint(std::uint32_t index, std::uint64_t key) {
 
 SampleNumbers::SampleNumbers(const SamplePattern& pattern, ivec2 pixel, std::uint32_t sample)
     : pattern_(pattern),
-      pixelKey_(mixed(mixed(static_cast<std::uint32_t>(pixel.x) |
+      pixelKey_(mixedBits(mixedBits(static_cast<std::uint32_t>(pixel.x) |
                             (static_cast<std::uint64_t>(static_cast<std::uint32_t>(pixel.y)) << 32)) +
                       static_cast<std::uint32_t>(pattern.seed))),
       sample_(sample) {
-    if (pattern.spread == SamplePattern::Spread::regular) pixelKey_ = mixed(static_cast<std::uint32_t>(pattern.seed));
+    if (pattern.spread == SamplePattern::Spread::regular) pixelKey_ = mixedBits(static_cast<std::uint32_t>(pattern.seed));
 }
 
 std::uint64_t SampleNumbers::dimensionOf(Purpose purpose, std::uint64_t place) const {
-    return mixed(pixelKey_ + mixed(place * 8 + static_cast<std::uint32_t>(purpose)));
+    return mixedBits(pixelKey_ + mixedBits(place * 8 + static_cast<std::uint32_t>(purpose)));
 }
 
 dvec2 SampleNumbers::pair(Purpose purpose, std::uint64_t place, std::uint32_t attempt) const {
     using enum SamplePattern::Spread;
     const std::uint64_t dimension = dimensionOf(purpose, place);
-    const dvec2 free = chance(dimension + mixed(sample_ + (static_cast<std::uint64_t>(attempt + 1) << 32)));
+    const dvec2 free = chance(dimension + mixedBits(sample_ + (static_cast<std::uint64_t>(attempt + 1) << 32)));
     if (attempt > 0 || pattern_.spread == random) return free;
     if (pattern_.spread == lowDiscrepancy) return evenPoint(sample_, dimension);
     const double amount = pattern_.spread == regular ? 0.0 : pattern_.jitter;
@@ -135,7 +128,7 @@ std::optional<std::array<dvec2, 2>> SampleNumbers::cell(Purpose purpose, std::ui
 double SampleNumbers::one(Purpose purpose) const {
     using enum SamplePattern::Spread;
     const std::uint64_t dimension = dimensionOf(purpose, 0);
-    const double free = chance(dimension + mixed(sample_)).x;
+    const double free = chance(dimension + mixedBits(sample_)).x;
     if (pattern_.spread == random) return free;
     if (pattern_.spread == lowDiscrepancy) return evenPoint(sample_, dimension).x;
     const auto count = static_cast<std::uint32_t>(pattern_.count);

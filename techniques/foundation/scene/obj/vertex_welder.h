@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "techniques/foundation/base/mixed_bits.h"
 #include "techniques/foundation/math/types.h"
 
 namespace shadowlab::scene {
@@ -52,11 +53,9 @@ private:
     static constexpr std::uint32_t kEmpty = 0xffffffffu;
 
     static std::size_t hash(const Key& key) {
-        std::uint64_t h = 0x9e3779b97f4a7c15u; // 2^64 / golden ratio: spreads neighbouring keys (Knuth)
-        for (const std::uint32_t word : key) {
-            h = (h ^ word) * 0x9e3779b97f4a7c15u;
-            h ^= h >> 32;
-        }
+        std::uint64_t h = kGoldenBits; // not 0, which words of 0 would not change
+        for (const std::uint32_t word : key)
+            h = hashedWith(h, word);
         return static_cast<std::size_t>(h);
     }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "techniques/foundation/base/mixed_bits.h"
+
 namespace shadowlab::scene {
 
 namespace {
@@ -90,12 +92,9 @@ private:
 
     /// The slot that holds the cell's number, or the empty one where it belongs: a hash table with linear probing.
     [[nodiscard]] std::uint32_t& slotOf(int level, const Place& place) {
-        // Mixed by an odd constant whose bits are spread evenly (a multiple of the golden ratio).
         std::uint64_t hash = static_cast<std::uint64_t>(level);
-        for (int axis = 0; axis < 3; ++axis) {
-            hash = (hash ^ static_cast<std::uint64_t>(place[axis])) * 0x9e3779b97f4a7c15u;
-            hash ^= hash >> 29;
-        }
+        for (int axis = 0; axis < 3; ++axis)
+            hash = hashedWith(hash, static_cast<std::uint64_t>(place[axis]));
         for (std::size_t at = hash;; ++at) {
             std::uint32_t& slot = slots_[at & (slots_.size() - 1)];
             if (slot == kEnd || (cells_[slot].level == level && cells_[slot].place == place)) return slot;

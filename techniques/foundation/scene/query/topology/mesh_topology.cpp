@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "techniques/foundation/base/disjoint_sets.h"
+#include "techniques/foundation/base/mixed_bits.h"
 
 namespace shadowlab::scene {
 
@@ -20,8 +21,7 @@ std::vector<std::uint32_t> weld(const std::vector<vec3>& positions) {
         std::uint64_t hash = 0;
         for (int axis = 0; axis < 3; ++axis) {
             const auto bits = std::bit_cast<std::uint32_t>(positions[i][axis] + 0.0f); // -0 becomes 0, to which it is equal
-            hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;                                // a multiple of the golden ratio spreads bits evenly
-            hash ^= hash >> 29;
+            hash = hashedWith(hash, bits);
         }
         for (std::size_t at = hash;; ++at) {
             std::uint32_t& slot = slots[at & (slots.size() - 1)];
