@@ -3,12 +3,11 @@
 
 #include <algorithm>
 
+#include "techniques/radiosity/patches/contacts.h"
+
 namespace shadowlab::radiosity {
 
 namespace {
-
-// A lamp that hangs before a patch covers it where it is no farther away than this share of its own size: as kCloseAbove in contacts.cpp.
-constexpr double kClose = 0.1;
 
 /// Counter-clockwise seen from where it shines; centred space.
 Polygon outlineOf(const scene::Light& rect, const dvec3& originWorld) {
@@ -20,7 +19,7 @@ bool isCloseBefore(const Polygon& lamp, const Plane& plane) {
     const double size = sizeOf(lamp), touching = kTouching * size;
     return std::ranges::all_of(lamp.corners(), [&](const dvec3& corner) {
         const double height = plane.height(corner);
-        return height >= -touching && height <= kClose * size;
+        return height >= -touching && height <= kCloseAbove * size;
     });
 }
 

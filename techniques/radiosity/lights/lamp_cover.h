@@ -12,7 +12,8 @@
 namespace shadowlab::radiosity {
 
 /// The share of the patch that lamps cover, 0..1; where they overlap, at most all of it. Patches are in centred space, whose origin lies at
-/// `originWorld`. Only lamps count that shine the way the patch faces.
+/// `originWorld`. Only lamps count that lie in its plane or close above (kCloseAbove in
+/// contacts.h), and shine the way the patch faces.
 double coveredByLamps(const Patch& patch, std::span<const scene::Light> lights, const dvec3& originWorld);
 
 } // namespace shadowlab::radiosity

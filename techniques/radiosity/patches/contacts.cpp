@@ -9,10 +9,6 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// A face lies close above another when no corner is farther from its plane than this share of the face's size. The light that
-// gets in between them from the sides then comes no farther than to a narrow rim.
-constexpr double kCloseAbove = 0.1;
-
 struct Segment {
     dvec3 from, to;
 };

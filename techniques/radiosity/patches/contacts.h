@@ -16,6 +16,10 @@
 
 namespace shadowlab::radiosity {
 
+/// A face lies close above another when no corner is farther from its plane than this share of the face's size. The light that gets in
+/// between them from the sides then comes no farther than to a narrow rim.
+constexpr double kCloseAbove = 0.1;
+
 /// A segment on the front of a face along which another face stands on it, lies on it or close above it, or passes through it.
 /// Centred space.
 struct Contact {
