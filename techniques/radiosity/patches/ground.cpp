@@ -2,6 +2,7 @@
 #include "techniques/radiosity/patches/ground.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace shadowlab::radiosity {
@@ -56,7 +57,8 @@ Ground::Ground(const Faces& faces) {
         if (!isOfGround[face.object]) continue;
         if (!plane) plane = face.plane;
         // Another plane: a wall, a hill, a sky. Light is sent between them, and they are no ground.
-        if (!isBehind(*plane, face.polygon, kOnePlane * sizeOf(face.polygon)) ||
+        const double slack = kOnePlane * sizeOf(face.polygon);
+        if (std::ranges::any_of(face.polygon.corners(), [&](const dvec3& corner) { return std::abs(plane->height(corner)) > slack; }) ||
             glm::dot(plane->normal, face.plane.normal) < 1 - kOnePlane)
             return;
     }

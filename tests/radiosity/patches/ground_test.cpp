@@ -49,6 +49,7 @@ TEST(Ground, OfAnySizeCostsAboutTheSame) {
     for (const double metres : {20.0, 200.0, 2000.0, 20000.0}) {
         const Cut cut = cutOf(metres, true);
         EXPECT_NEAR(cut.area, metres * metres - 1, 1e-4 * metres * metres) << "all of it, but for what the box stands on";
+        EXPECT_GE(cut.ofGround, 50) << metres;
         EXPECT_GE(cut.ofBox, 15) << metres;
         EXPECT_LT(cut.finest, 0.75) << metres;
     }
@@ -75,6 +76,9 @@ TEST(Ground, IsOneAloneAndOutdoors) {
     scene::Scene twoSquares = boxOnGround(20);
     addObject(twoSquares, scene::makeQuad({20, 20}), translation({20, 0, 0}));
     EXPECT_EQ(groundFaces(twoSquares), 2u) << "one ground of two objects";
+    scene::Scene cellar = boxOnGround(20);
+    addObject(cellar, scene::makeQuad({20, 20}), translation({0, -5, 0}));
+    EXPECT_EQ(groundFaces(cellar), 0u) << "two planes";
     scene::Scene alone;
     alone.materials.emplace_back();
     addObject(alone, scene::makeQuad({20, 20}));
