@@ -105,6 +105,9 @@ public:
     /// check around it. Skipped once the pass asked for by step mode has run.
     void pass(const PassInfo& info, const std::function<void()>& draw, int light = kNoLight);
 
+    /// Is nothing asked for but the picture as it is when all passes have run? A technique that would draw once more what it drew last
+    /// may then leave it as it is.
+    [[nodiscard]] bool wantsOnlyPicture() const { return request_.stages.empty() && !request_.stopAfter && !request_.timePasses; }
     /// Is anybody going to look at this stage? Do not draw it otherwise.
     [[nodiscard]] bool wants(std::string_view stage, int light = kNoLight) const;
     /// Hands an intermediate picture over.

@@ -89,6 +89,7 @@ struct Display {
 /// A rectangle of a picture, in pixels from its upper left corner.
 struct Region {
     ivec2 corner{0}, size{0};
+    friend bool operator==(const Region&, const Region&) = default;
 };
 
 /// One question to a technique: this eye, this many pixels, this sample of a progressive sequence.

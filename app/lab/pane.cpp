@@ -172,7 +172,8 @@ void Pane::draw(picture::Session& session, const picture::PictureEncoder& encode
     picture::RenderedFrame rendered = session.render(slot, request.view, frame);
     converged_ = rendered.converged;
     progress_ = rendered.prepared;
-    if (!converged_ && (rendered.prepared < 1 || hasWhole_)) return; // nothing new to be seen yet: the last picture stays
+    // Nothing new to be seen yet: the last picture stays.
+    if (const bool isDrawn = !rendered.result.passes.empty(); !converged_ && (rendered.prepared < 1 || hasWhole_ || !isDrawn)) return;
     if (!converged_ && stage.isStage() && !stage.isDerived() && !picture::isPublished(rendered, stage.key)) {
         progress_ = rendered.drawn; // what is solved while it is drawn has no stages before it is solved
         return;
@@ -204,6 +205,7 @@ std::vector<std::string> lightNames(const scene::Scene& scene) {
 } // namespace
 
 void Pane::keepPasses(const PaneRequest& request, const std::vector<StageKey>& passes) {
+    if (passes.empty()) return; // the frame had nothing new to draw
     passes_ = distinct(passes);
     passesTechnique_ = request.state.technique;
     passesLights_ = lightNames(*request.snapshot);

@@ -54,10 +54,13 @@ public:
         restartIfChanged(frame.snapshot());
         const Deadline deadline = std::max(frame.deadline(), std::chrono::steady_clock::now() + kLeastWork);
         const bool isSolved = advanceSolver(static_cast<std::size_t>(params_.stepsPerPicture), deadline);
-        if (!found) found = advanceDirect(frame, deadline);
+        if (!found || found->isPreview) found = advanceDirect(frame, deadline);
         const DirectShown direct = found.value_or(DirectShown()); // until then that of the patches
-        const bool mayGather = params_.gathers() && isSolved && found;
+        const bool isDirectComplete = found && !found->isPreview;
+        const bool mayGather = params_.gathers() && isSolved && isDirectComplete;
         const bool isGathered = mayGather ? advanceGather(frame, deadline) : !params_.gathers();
+        const bool isFinished = isSolved && isDirectComplete && isGathered;
+        if (!isFinished && !isNew(frame, direct, mayGather)) return {0.95, false};
         Showing showing{frame, cache_, sources_, balance_, picture_, params_, std::nullopt};
         if (isSolved)
             showing.patchError = patchError_.share(cache_, sources_, balance_, params_.showsPixels(), frame.view().camera.positionWorld);
@@ -75,10 +78,9 @@ public:
                 passInfo(kPasses, "direct"), [&] { direct.pixels->addDirect(frame, light, params_.exposureFactor()); }, light);
 
         if (isGathered && mayGather && params_.gather == RadiosityParams::Gather::shared)
-            frame.count("gathering-alone", static_cast<double>(pixels_.gatheredAlone()), frame.view().size.x * frame.view().size.y);
+            frame.count("gathering", static_cast<double>(pixels_.gathered()), frame.view().size.x * frame.view().size.y);
         publishStages(showing, direct);
         publishNotes(showing);
-        const bool isFinished = isSolved && found && isGathered;
         return {isFinished ? 1.0 : 0.95, isFinished};
     }
 
@@ -111,6 +113,16 @@ private:
         std::uint64_t solution = 0, map = 0;
         bool withDirect = true;
         friend bool operator==(const ShownCacheKey&, const ShownCacheKey&) = default;
+    };
+    /// What the picture in the frame's target was drawn from.
+    struct DrawnCacheKey {
+        scene::Revisions revisions{0, 0, 0, 0};
+        trace::SeenFrom seenFrom;
+        Region region;
+        std::uint64_t room = 0, solution = 0, map = 0, pixels = 0;
+        bool showsPixels = false, isGathered = false;
+        RadiosityParams params;
+        friend bool operator==(const DrawnCacheKey&, const DrawnCacheKey&) = default;
     };
 
     /// Form factors by hemicubes need the graphics card, so they are drawn here and not in prepare(). True when all are there.
@@ -154,6 +166,7 @@ private:
     /// A picture for as long as form factors are still being found: the scene's ambient light, as an estimate of all that is reflected,
     /// and direct light, once the pixels have it.
     Progress drawBeforehand(Frame& frame, const std::optional<DirectShown>& found, double done) {
+        if (!isNew(frame, found.value_or(DirectShown()), false)) return {done, false};
         frame.pass(passInfo(kPasses, "emission"), [&] {
             clear(frame);
             drawLightsOff(frame, frame.scene().ambient);
@@ -164,21 +177,40 @@ private:
         return {done, false};
     }
 
-    /// The direct light of the pixels or the light map, once that is complete; nothing before. Where the frame shows neither (the
+    /// The direct light of the pixels, at first as a preview, or the light map once that is complete; nothing before. Where the frame shows neither (the
     /// passes before `display` draw flat patches), it is that of the patches.
     std::optional<DirectShown> advanceDirect(const Frame& frame, Deadline deadline) {
         const auto& last = frame.stopsAfter();
         if (params_.isFlat() || (last && last->id != "display" && last->id != "direct")) return DirectShown();
         if (params_.direct == RadiosityParams::Direct::pixels) {
-            if (!pixels_.advanceDirect(frame.snapshot(), frame.view(), deadline)) return std::nullopt;
-            return DirectShown{&pixels_, nullptr};
+            const bool isComplete = pixels_.advanceDirect(frame.snapshot(), frame.view(), deadline);
+            if (!pixels_.hasDirect()) return std::nullopt;
+            return DirectShown{&pixels_, nullptr, !isComplete};
         }
         if (params_.direct == RadiosityParams::Direct::lightMap) {
             if (!lightMap_.advance(frame.snapshot(), cache_, static_cast<std::size_t>(params_.lightMapPoints), deadline))
                 return std::nullopt;
-            return DirectShown{nullptr, &lightMap_};
+            return DirectShown{nullptr, &lightMap_, false};
         }
         return DirectShown();
+    }
+
+    /// Would the picture be another one than that which was drawn last? Drawing takes longer than a slice of the work that is left.
+    bool isNew(const Frame& frame, const DirectShown& direct, bool mayGather) {
+        const View& view = frame.view();
+        DrawnCacheKey key{frame.scene().revisions,
+                          trace::SeenFrom(frame.scene(), view.camera, view.size),
+                          view.region,
+                          uploadedRoom_,
+                          balance_.version(),
+                          direct.map ? lightMap_.version() : 0,
+                          pixels_.version(),
+                          direct.pixels != nullptr,
+                          mayGather && pixels_.hasGathered(),
+                          params_};
+        const bool isNew = !frame.wantsOnlyPicture() || !drawnKey_ || key != *drawnKey_;
+        drawnKey_ = std::move(key);
+        return isNew;
     }
 
     static void clear(const Frame& frame) {
@@ -256,6 +288,7 @@ private:
     PixelPicture pixels_;
     std::uint64_t uploadedRoom_ = 0; ///< RoomCache::version() of the cells on the graphics card
     ShownCacheKey shownKey_;
+    std::optional<DrawnCacheKey> drawnKey_;
     std::optional<ShownLight> shown_;
 };
 

@@ -18,15 +18,18 @@ gl::Texture2D uploaded(GLenum internalFormat, GLenum format, ivec2 size, const v
 } // namespace
 
 bool PixelPicture::advanceDirect(const scene::Snapshot& snapshot, const View& view, Deadline deadline) {
-    if (!direct_.advance(snapshot, view, deadline)) return false;
-    if (version_ == direct_.version()) return true;
-    version_ = direct_.version();
-    shares_.clear();
+    const bool isComplete = direct_.advance(snapshot, view, deadline);
+    hasDirect_ = isComplete || direct_.hasPreview();
+    if (!hasDirect_) return false;
     static_assert(sizeof(PixelLight::Share) == 2 * sizeof(float));
+    shares_.resize(snapshot->lights.size());
     for (int light = 0; light < static_cast<int>(snapshot->lights.size()); ++light)
-        shares_.push_back(
-            uploaded(GL_RG32F, GL_RG, direct_.size(), direct_.sharesFromBelow(light).data(), "radiosity: direct light of pixels"));
-    return true;
+        if (UploadedShares& shares = shares_[static_cast<std::size_t>(light)]; shares.version != direct_.version(light)) {
+            shares = {direct_.version(light), direct_.isPreview(light),
+                      uploaded(GL_RG32F, GL_RG, direct_.size(), direct_.sharesFromBelow(light).data(), "radiosity: direct light of pixels")};
+            ++version_;
+        }
+    return isComplete;
 }
 
 bool PixelPicture::advanceGather(const GatherSolution& solution, std::size_t rays, Deadline deadline) {
@@ -49,13 +52,14 @@ bool PixelPicture::advanceSharedGather(const GatherSolution& solution, std::size
 }
 
 void PixelPicture::upload(const std::vector<vec4>& irradianceFromBelow) {
+    ++version_;
     irradiance_ = uploaded(GL_RGBA32F, GL_RGBA, direct_.size(), irradianceFromBelow.data(), "radiosity: gathered light");
 }
 
 void PixelPicture::useForLight(const Frame& frame, const gl::Program& program, int light) const {
     glClear(GL_STENCIL_BUFFER_BIT);
     gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
-    shares_[static_cast<std::size_t>(light)].bind(gl::kFirstFreeUnit);
+    shares_[static_cast<std::size_t>(light)].texture.bind(gl::kFirstFreeUnit);
     program.set("shares", gl::kFirstFreeUnit);
 }
 
@@ -63,7 +67,8 @@ void PixelPicture::addDirect(const Frame& frame, int light, double exposureFacto
     gl::setAddLightState();
     useForLight(frame, reflected_, light);
     const scene::Light& source = frame.scene().light(light);
-    reflected_.set("areaRadiance", scene::hasArea(source) ? static_cast<float>(source.intensity) * source.color : vec3(0.0f));
+    const bool byArea = scene::hasArea(source) && !shares_[static_cast<std::size_t>(light)].isPreview;
+    reflected_.set("areaRadiance", byArea ? static_cast<float>(source.intensity) * source.color : vec3(0.0f));
     reflected_.set("exposureFactor", static_cast<float>(exposureFactor));
     gl::drawSurfaces(reflected_, frame.scene(), frame.buffers(), frame.eye());
 }

@@ -16,14 +16,18 @@ class PixelPicture {
 public:
     /// Finds the direct light. True when it is complete.
     bool advanceDirect(const scene::Snapshot& snapshot, const View& view, Deadline deadline);
+    /// Can direct light be shown? Before it is complete, that of lights with an area comes from their centres.
+    [[nodiscard]] bool hasDirect() const { return hasDirect_; }
     /// Gathers for each pixel, once direct light is complete. True when each has sent so many rays.
     bool advanceGather(const GatherSolution& solution, std::size_t rays, Deadline deadline);
     /// Gathers for some pixels, and shares. True when all have their irradiance.
     bool advanceSharedGather(const GatherSolution& solution, std::size_t rays, Deadline deadline);
-    /// Of the shared gather: how many pixels had to gather by themselves, besides those of the lattice.
-    [[nodiscard]] std::size_t gatheredAlone() const { return shared_.alone(); }
+    /// Of the shared gather: how many pixels have gathered.
+    [[nodiscard]] std::size_t gathered() const { return shared_.gathered(); }
     /// Can what was gathered last be shown?
     [[nodiscard]] bool hasGathered() const { return hasGathered_; }
+    /// Changes whenever there is something else to be shown.
+    [[nodiscard]] std::uint64_t version() const { return version_; }
 
     // All draw into the bound framebuffer, on the surfaces in its depth buffer, and clear the stencil.
 
@@ -49,8 +53,15 @@ private:
     };
     GatheredVersion gathered_;
     bool hasGathered_ = false;
-    std::uint64_t version_ = 0; ///< of the direct light on the graphics card
-    std::vector<gl::Texture2D> shares_;
+    bool hasDirect_ = false;
+    std::uint64_t version_ = 0;
+    /// The direct light of a light on the graphics card.
+    struct UploadedShares {
+        std::uint64_t version = 0;
+        bool isPreview = false;
+        gl::Texture2D texture{};
+    };
+    std::vector<UploadedShares> shares_;
     gl::Texture2D irradiance_;
     gl::Program reflected_{"surface.vert", "radiosity/pixel_light.frag"};
     gl::Program gatheredLight_{"surface.vert", "radiosity/gathered.frag"};

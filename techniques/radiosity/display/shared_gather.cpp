@@ -10,8 +10,11 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Every fourth pixel of every fourth row gathers: a sixteenth of all.
-constexpr int kSpacing = 4;
+// At first every fourth pixel of every fourth row gathers, a sixteenth of all; in small pictures more, so that there are this many rows
+// of them: a plane through pixels that lie farther apart would cut off the peaks of light.
+constexpr int kWidestSpacing = 4, kLeastRows = 64;
+
+constexpr std::int32_t kNone = -1;
 
 // A record counts up to this error (in shares of its irradiance, by Ward's estimate), and the less the nearer to it.
 constexpr double kMostError = 0.25;
@@ -19,7 +22,7 @@ constexpr double kMostError = 0.25;
 // Records of the lattice that a pixel looks at: so many before and behind, across and along.
 constexpr int kReach = 2;
 
-// Less weight than that of one record without error, and a pixel gathers by itself.
+// Less weight than that of one record without error, and a pixel takes nothing over.
 constexpr double kLeastWeight = 1.0;
 
 // A record farther from the pixel's plane than this share of its range lies on another surface.
@@ -72,74 +75,81 @@ private:
 
 } // namespace
 
-/// The pixel that gathers for a cell of the lattice: its middle.
-ivec2 SharedGather::latticePixel(ivec2 cell) const { return glm::min(kSpacing * cell + kSpacing / 2, key_.seenFrom.size - 1); }
+std::size_t SharedGather::indexOf(ivec2 pixel) const {
+    return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(key_.seenFrom.size.x) + static_cast<std::size_t>(pixel.x);
+}
 
-ivec2 SharedGather::cells() const { return (key_.seenFrom.size + kSpacing - 1) / kSpacing; }
-
-vec4& SharedGather::pixelFromBelow(ivec2 pixel) {
-    const ivec2 size = key_.seenFrom.size;
-    return irradianceFromBelow_[static_cast<std::size_t>(size.y - 1 - pixel.y) * static_cast<std::size_t>(size.x) +
-                                static_cast<std::size_t>(pixel.x)];
+int SharedGather::widestSpacing() const {
+    return std::clamp(std::min(key_.seenFrom.size.x, key_.seenFrom.size.y) / kLeastRows, 1, kWidestSpacing);
 }
 
 bool SharedGather::advance(const GatherSolution& solution, const PixelLight& light, std::size_t rays, Deadline deadline) {
-    if (GatherKey key{solution.version, light.seenFrom(), light.tracer().scene().lights, rays}; records_.empty() || key != key_) {
+    if (GatherKey key{solution.version, light.seenFrom(), light.tracer().scene().lights, rays}; spacing_ == 0 || key != key_) {
         key_ = std::move(key);
-        records_.assign(static_cast<std::size_t>(cells().x) * static_cast<std::size_t>(cells().y), {});
-        irradianceFromBelow_.assign(static_cast<std::size_t>(light.size().x) * static_cast<std::size_t>(light.size().y), vec4(0, 0, 0, 1));
-        nextRecord_ = nextAlone_ = 0;
-        isShared_ = false;
-        alone_.clear();
-        ++version_;
+        restart(light);
     }
-    const auto pieces = [](std::size_t count) { return (count + kPiece - 1) / kPiece; };
-    const auto inPieces = [](std::size_t count, const auto& work) {
-        return [count, &work](std::size_t piece) {
-            for (std::size_t i = piece * kPiece; i < std::min(count, (piece + 1) * kPiece); ++i)
-                work(i);
-        };
-    };
-    const auto gatherRecord = [&](std::size_t i) {
-        const ivec2 cell(static_cast<int>(i) % cells().x, static_cast<int>(i) / cells().x);
-        records_[i] = recordAt(solution, light, latticePixel(cell), key_.rays);
-    };
-    nextRecord_ = trace::parallelUntil(deadline, nextRecord_, pieces(records_.size()), inPieces(records_.size(), gatherRecord));
-    if (nextRecord_ < pieces(records_.size())) return false;
-    if (!isShared_) share(light);
-    isShared_ = true;
-    const auto gatherAlone = [&](std::size_t i) {
-        const Record record = recordAt(solution, light, alone_[i], (key_.rays + 1) / 2);
-        pixelFromBelow(alone_[i]) = vec4(vec3(record.irradiance), 1.0f);
-    };
-    nextAlone_ = trace::parallelUntil(deadline, nextAlone_, pieces(alone_.size()), inPieces(alone_.size(), gatherAlone));
-    return nextAlone_ == pieces(alone_.size());
+    while (!open_.empty()) {
+        const std::size_t first = records_.size() - gathering_.size(), pieces = (gathering_.size() + kPiece - 1) / kPiece;
+        nextPiece_ = trace::parallelUntil(deadline, nextPiece_, pieces, [&](std::size_t piece) {
+            for (std::size_t i = piece * kPiece; i < std::min(gathering_.size(), (piece + 1) * kPiece); ++i)
+                records_[first + i] = recordAt(solution, light, gathering_[i]);
+        });
+        if (nextPiece_ < pieces) return false;
+        share(light);
+        spacing_ = std::max(1, spacing_ / 2);
+        chooseGathering();
+    }
+    return true;
 }
 
-SharedGather::Record SharedGather::recordAt(const GatherSolution& solution, const PixelLight& light, ivec2 pixel,
-                                            std::size_t count) const {
+void SharedGather::restart(const PixelLight& light) {
+    const ivec2 size = key_.seenFrom.size;
+    const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    irradianceFromBelow_.assign(pixels, vec4(0, 0, 0, 1));
+    recordOf_.assign(pixels, kNone);
+    records_.clear();
+    open_.clear();
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            if (light.pointAt({x, y})) open_.emplace_back(x, y);
+    spacing_ = widestSpacing();
+    chooseGathering();
+    ++version_;
+}
+
+/// Of the open pixels those on the lattice.
+void SharedGather::chooseGathering() {
+    gathering_.clear();
+    for (const ivec2 pixel : open_)
+        if (pixel.x % spacing_ == 0 && pixel.y % spacing_ == 0) {
+            recordOf_[indexOf(pixel)] = static_cast<std::int32_t>(records_.size() + gathering_.size());
+            gathering_.push_back(pixel);
+        }
+    records_.resize(records_.size() + gathering_.size());
+    nextPiece_ = 0;
+}
+
+SharedGather::Record SharedGather::recordAt(const GatherSolution& solution, const PixelLight& light, ivec2 pixel) const {
+    const auto spacing = static_cast<std::size_t>(spacing_), widest = static_cast<std::size_t>(widestSpacing());
+    const std::size_t count = (key_.rays * spacing + widest - 1) / widest;
     const trace::SurfacePoint& point = light.pointAt(pixel);
-    if (!point) return {};
     const Gathered sum = gather(solution, light, pixel, 0, count);
-    return {true, light.tracer().positionCentred(point), light.normalWorld(point), sum.irradiance / static_cast<double>(count),
-            rangeOf(sum)};
+    return {light.tracer().positionCentred(point), light.normalWorld(point), sum.irradiance / static_cast<double>(count), rangeOf(sum)};
 }
 
+/// Open pixels take over what they may. Of one that has gathered itself that is at least its own.
 void SharedGather::share(const PixelLight& light) {
-    const auto height = static_cast<std::size_t>(light.size().y);
-    std::vector<std::vector<ivec2>> aloneInRow(height);
-    trace::parallelFor(height, [&](std::size_t row) {
-        for (int x = 0; x < light.size().x; ++x) {
-            const ivec2 pixel(x, static_cast<int>(row));
-            if (!light.pointAt(pixel)) continue;
-            if (dvec3 irradiance(0); takeOver(light, pixel, irradiance))
-                pixelFromBelow(pixel) = vec4(vec3(irradiance), 1.0f);
-            else
-                aloneInRow[row].push_back(pixel);
+    const ivec2 size = key_.seenFrom.size;
+    std::vector<std::uint8_t> isDone(open_.size());
+    trace::parallelFor((open_.size() + kPiece - 1) / kPiece, [&](std::size_t piece) {
+        for (std::size_t i = piece * kPiece; i < std::min(open_.size(), (piece + 1) * kPiece); ++i) {
+            dvec3 irradiance(0);
+            isDone[i] = takeOver(light, open_[i], irradiance);
+            if (isDone[i]) irradianceFromBelow_[indexOf({open_[i].x, size.y - 1 - open_[i].y})] = vec4(vec3(irradiance), 1.0f);
         }
     });
-    for (const std::vector<ivec2>& row : aloneInRow)
-        alone_.insert(alone_.end(), row.begin(), row.end());
+    std::size_t next = 0;
+    std::erase_if(open_, [&](const ivec2&) { return isDone[next++] != 0; });
 }
 
 /// A plane through what pixels around have found, each by its weight: its value at this place. (A mean would be wrong wherever all of
@@ -148,21 +158,24 @@ void SharedGather::share(const PixelLight& light) {
 bool SharedGather::takeOver(const PixelLight& light, ivec2 pixel, dvec3& irradiance) const {
     const trace::SurfacePoint& point = light.pointAt(pixel);
     const dvec3 positionCentred = light.tracer().positionCentred(point), normal = light.normalWorld(point);
-    const ivec2 here = pixel / kSpacing;
+    const ivec2 last = (key_.seenFrom.size - 1) / spacing_;
+    const ivec2 from = glm::max(pixel / spacing_ - kReach, 0), to = glm::min((pixel + spacing_ - 1) / spacing_ + kReach, last);
     PlaneFit fit;
-    for (int y = std::max(0, here.y - kReach); y <= std::min(cells().y - 1, here.y + kReach); ++y)
-        for (int x = std::max(0, here.x - kReach); x <= std::min(cells().x - 1, here.x + kReach); ++x) {
-            const Record& record = records_[static_cast<std::size_t>(y * cells().x + x)];
-            if (!record.isThere) continue;
+    for (int y = from.y; y <= to.y; ++y)
+        for (int x = from.x; x <= to.x; ++x) {
+            const ivec2 giver = spacing_ * ivec2(x, y);
+            const std::int32_t number = recordOf_[indexOf(giver)];
+            const dvec2 offset = dvec2(giver - pixel) / static_cast<double>(spacing_);
+            const dvec2 tent = glm::max(dvec2(0), 1.0 - glm::abs(offset) / (kReach + 0.5));
+            if (number == kNone || tent.x * tent.y == 0) continue;
+            const Record& record = records_[static_cast<std::size_t>(number)];
             const dvec3 way = record.positionCentred - positionCentred;
             if (std::abs(glm::dot(way, normal)) > kOffThePlane * record.range) continue;
             const double error = glm::length(way) / record.range + std::sqrt(std::max(0.0, 1 - glm::dot(normal, record.normal)));
-            const dvec2 offset = dvec2(latticePixel({x, y}) - pixel) / static_cast<double>(kSpacing);
-            const dvec2 tent = glm::max(dvec2(0), 1.0 - glm::abs(offset) / (kReach + 0.5));
             fit.add(offset, record.irradiance, tent.x * tent.y * std::max(0.0, 1 - error / kMostError));
         }
     irradiance = fit.atMiddle();
-    return fit.weight() >= kLeastWeight;
+    return fit.weight() >= kLeastWeight || recordOf_[indexOf(pixel)] != kNone;
 }
 
 } // namespace shadowlab::radiosity

@@ -5,9 +5,12 @@
 // Solution for Diffuse Interreflection", SIGGRAPH 1988) estimate the error of taking an irradiance from one point to another: the
 // distance between them, relative to how far away is what the one sees (the harmonic mean R), and how much the normals differ. Where
 // no pixel around has anything good enough, as in corners and on leaves, a pixel gathers by itself.
+// So pixels of a lattice gather, and others take over; of those that may not, such as are on a lattice half as wide, and so on down to
+// single pixels.
 // Simplified: points stand in a lattice of pixels, not where the error asks for them; gradients come from a plane through several.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "techniques/radiosity/display/gather_rays.h"
@@ -17,8 +20,8 @@ namespace shadowlab::radiosity {
 class SharedGather {
 public:
     /// Goes on until every pixel has its irradiance (true) or the deadline has passed, but always does some work. Begins anew when the
-    /// solution, the scene or the eye is another one. `light` must be complete. `rays`: of each pixel of the lattice; one that
-    /// gathers by itself, on leaves and in corners, makes do with half.
+    /// solution, the scene or the eye is another one. `light` must be complete. `rays`: of each pixel of the widest lattice; those of
+    /// the others, on leaves and in corners, make do with half.
     bool advance(const GatherSolution& solution, const PixelLight& light, std::size_t rays, Deadline deadline);
 
     /// Changes when another irradiance is there.
@@ -26,29 +29,31 @@ public:
     /// The irradiance by all but direct light, W/m^2; row 0 is at the bottom. Of pixels without a surface 0. Once advance() has
     /// returned true.
     [[nodiscard]] const std::vector<vec4>& irradianceFromBelow() const { return irradianceFromBelow_; }
-    /// How many pixels gathered by themselves, besides those of the lattice.
-    [[nodiscard]] std::size_t alone() const { return alone_.size(); }
+    /// How many pixels have gathered.
+    [[nodiscard]] std::size_t gathered() const { return records_.size(); }
 
 private:
-    /// What one pixel of the lattice has found.
+    /// What one pixel has found.
     struct Record {
-        bool isThere = false; ///< it shows a surface
         dvec3 positionCentred{0.0}, normal{0.0}, irradiance{0.0};
         double range = 0; ///< R, metres
     };
-    [[nodiscard]] ivec2 cells() const;
-    [[nodiscard]] ivec2 latticePixel(ivec2 cell) const;
-    [[nodiscard]] Record recordAt(const GatherSolution& solution, const PixelLight& light, ivec2 pixel, std::size_t count) const;
+    void restart(const PixelLight& light);
+    void chooseGathering();
+    [[nodiscard]] Record recordAt(const GatherSolution& solution, const PixelLight& light, ivec2 pixel) const;
     void share(const PixelLight& light);
     [[nodiscard]] bool takeOver(const PixelLight& light, ivec2 pixel, dvec3& irradiance) const;
-    [[nodiscard]] vec4& pixelFromBelow(ivec2 pixel);
+    [[nodiscard]] std::size_t indexOf(ivec2 pixel) const;
+    [[nodiscard]] int widestSpacing() const;
 
     GatherKey key_;
+    int spacing_ = 0;                     ///< of the lattice, pixels
+    std::vector<ivec2> open_;             ///< pixels that have no irradiance yet
+    std::vector<ivec2> gathering_;        ///< those of them that are on the lattice: the last of `records_` are theirs
+    std::size_t nextPiece_ = 0;           ///< of those
     std::vector<Record> records_;
-    std::size_t nextRecord_ = 0, nextAlone_ = 0;
-    bool isShared_ = false;
+    std::vector<std::int32_t> recordOf_;  ///< of each pixel, rows from the top: its record, or kNone
     std::uint64_t version_ = 0;
-    std::vector<ivec2> alone_; ///< pixels that gather by themselves
     std::vector<vec4> irradianceFromBelow_;
 };
 

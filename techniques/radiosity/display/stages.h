@@ -24,6 +24,7 @@ struct ShownLight {
 struct DirectShown {
     const PixelPicture* pixels = nullptr;
     const LightMap* map = nullptr;
+    bool isPreview = false; ///< of lights with an area the centres alone
 };
 
 /// A frame, and the results to be shown in it.

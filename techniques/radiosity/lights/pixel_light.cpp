@@ -30,6 +30,7 @@ void PixelLight::restart(const scene::Snapshot& snapshot, const trace::SeenFrom&
 }
 
 bool PixelLight::advance(const scene::Snapshot& snapshot, const View& view, Deadline deadline) {
+    hasPreview_ = false;
     if (!tracer_.advance(snapshot, deadline)) return false;
     if (const trace::SeenFrom seenFrom(*snapshot, view.camera, view.size); !normals_ || seenFrom != seenFrom_) restart(snapshot, seenFrom);
     lights_.resize(snapshot->lights.size());
@@ -38,37 +39,46 @@ bool PixelLight::advance(const scene::Snapshot& snapshot, const View& view, Dead
             ofLight.area.reset(); // it refers to the scene that it was made for
     snapshot_ = snapshot;
 
-    const trace::Blocks blocks{seenFrom_.size, kBlockSide}, tiles{seenFrom_.size, kTileSide};
+    const trace::Blocks blocks{seenFrom_.size, kBlockSide};
     const trace::EyeRays rays = tracer_.eyeRays(view.camera, view.size);
     seenBlocks_ = trace::parallelUntil(deadline, seenBlocks_, blocks.count(), [&](std::size_t block) { seeBlock(rays, block); });
     if (seenBlocks_ < blocks.count()) return false;
 
-    for (std::size_t i = 0; i < lights_.size(); ++i) {
-        OfLight& ofLight = lights_[i];
-        const int light = static_cast<int>(i);
-        if (ofLight.sharesFromBelow.empty() || ofLight.light != snapshot->lights[i]) {
-            const auto pixels = static_cast<std::size_t>(view.size.x) * static_cast<std::size_t>(view.size.y);
-            ofLight = {snapshot->lights[i], nullptr, std::vector<Share>(pixels), 0};
-        }
-        if (ofLight.nextTile == tiles.count()) continue;
-        if (scene::hasArea(ofLight.light) && !ofLight.area) ofLight.area = std::make_unique<trace::AreaVisibility>(tracer_, light);
-        ofLight.nextTile = trace::parallelUntil(deadline, ofLight.nextTile, tiles.count(),
-                                                 [&](std::size_t tile) { lightTile(ofLight, light, tile); });
-        if (ofLight.nextTile < tiles.count()) return false;
-        ofLight.area.reset();
-        ++version_;
+    const auto advanceAll = [&](bool onlyPreview) {
+        for (int light = 0; light < static_cast<int>(lights_.size()); ++light)
+            if (!advanceLight(light, onlyPreview, deadline)) return false;
+        return true;
+    };
+    hasPreview_ = advanceAll(true);
+    return hasPreview_ && advanceAll(false);
+}
+
+/// True once the light has its shares or, if that is enough, a preview.
+bool PixelLight::advanceLight(int light, bool onlyPreview, Deadline deadline) {
+    OfLight& ofLight = lights_[static_cast<std::size_t>(light)];
+    if (const scene::Light& source = snapshot_->light(light); ofLight.sharesFromBelow.empty() || ofLight.light != source) {
+        const auto pixels = static_cast<std::size_t>(size().x) * static_cast<std::size_t>(size().y);
+        ofLight = {source, nullptr, std::vector<Share>(pixels), {}, 0, 0, 0};
+        if (scene::hasArea(source)) ofLight.previewFromBelow.resize(pixels);
     }
+    const bool hasArea = scene::hasArea(ofLight.light), previews = hasArea && onlyPreview;
+    std::size_t& next = previews ? ofLight.nextPreviewTile : ofLight.nextTile;
+    if (next == tiles().count()) return true;
+    if (hasArea && !previews && !ofLight.area) ofLight.area = std::make_unique<trace::AreaVisibility>(tracer_, light);
+    std::vector<Share>& shares = previews ? ofLight.previewFromBelow : ofLight.sharesFromBelow;
+    next = trace::parallelUntil(deadline, next, tiles().count(), [&](std::size_t tile) { lightTile(ofLight, light, tile, shares); });
+    if (next < tiles().count()) return false;
+    ofLight.version = ++version_;
+    ofLight.area.reset();
+    if (!previews) ofLight.previewFromBelow = {};
     return true;
 }
 
-double PixelLight::done() const {
-    const std::size_t blocks = trace::Blocks{seenFrom_.size, kBlockSide}.count();
-    const std::size_t tiles = trace::Blocks{seenFrom_.size, kTileSide}.count(), blocksOfTile = kTileBlocks * kTileBlocks;
-    std::size_t done = seenBlocks_;
-    for (const OfLight& ofLight : lights_)
-        done += blocksOfTile * ofLight.nextTile;
-    const std::size_t all = blocks + blocksOfTile * tiles * lights_.size();
-    return all > 0 ? static_cast<double>(done) / static_cast<double>(all) : 1;
+trace::Blocks PixelLight::tiles() const { return {seenFrom_.size, kTileSide}; }
+
+bool PixelLight::isPreview(int light) const {
+    const OfLight& ofLight = lights_[static_cast<std::size_t>(light)];
+    return scene::hasArea(ofLight.light) && ofLight.nextTile < tiles().count();
 }
 
 std::span<const trace::SurfacePoint> PixelLight::pointsOf(std::size_t block) const {
@@ -96,9 +106,9 @@ void PixelLight::seeBlock(const trace::EyeRays& rays, std::size_t block) {
 }
 
 // [anchor: light-on-a-pixel]
-void PixelLight::lightTile(OfLight& ofLight, int light, std::size_t tile) const {
-    const trace::Blocks blocks{seenFrom_.size, kBlockSide}, tiles{seenFrom_.size, kTileSide};
-    const ivec2 first = tiles.corner(tile) / kBlockSide, end = glm::min(first + kTileBlocks, blocks.grid());
+void PixelLight::lightTile(const OfLight& ofLight, int light, std::size_t tile, std::vector<Share>& sharesFromBelow) const {
+    const trace::Blocks blocks{seenFrom_.size, kBlockSide};
+    const ivec2 first = tiles().corner(tile) / kBlockSide, end = glm::min(first + kTileBlocks, blocks.grid());
     std::vector<std::size_t> ofTile;
     std::vector<trace::SurfacePoint> points;
     for (int y = first.y; y < end.y; ++y)
@@ -113,8 +123,7 @@ void PixelLight::lightTile(OfLight& ofLight, int light, std::size_t tile) const 
         const ivec2 corner = blocks.corner(block), size = blocks.sizeAt(corner);
         for (int y = 0; y < size.y; ++y, row += size.x) {
             const int rowFromBelow = seenFrom_.size.y - 1 - (corner.y + y);
-            std::copy_n(row, size.x,
-                        ofLight.sharesFromBelow.begin() + static_cast<std::ptrdiff_t>(rowFromBelow) * seenFrom_.size.x + corner.x);
+            std::copy_n(row, size.x, sharesFromBelow.begin() + static_cast<std::ptrdiff_t>(rowFromBelow) * seenFrom_.size.x + corner.x);
         }
     }
 }

@@ -4,6 +4,8 @@
 // "Some Techniques for Shading Machine Renderings of Solids", 1968); of one with an area, its contours say in closed form which share
 // of it is seen (foundation/trace/area/area_visibility.h). So shadows have the same edges as those of ray tracing, however large the
 // patches are, and in scenes of any size. Unlike all else in radiosity this depends on the eye.
+// Shares of lights with an area take seconds in crowded scenes. So before the first of them, all pixels ask for the centres of these
+// lights: a preview with hard shadows.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
@@ -11,6 +13,7 @@
 #include <vector>
 
 #include "techniques/foundation/trace/area/area_visibility.h"
+#include "techniques/foundation/trace/blocks.h"
 #include "techniques/foundation/trace/shading_normals.h"
 #include "techniques/technique.h"
 
@@ -21,10 +24,12 @@ public:
     /// Recomputes what has changed (the scene, the eye, a light) until all is done (true) or the deadline has passed, but always does
     /// some work.
     bool advance(const scene::Snapshot& snapshot, const View& view, Deadline deadline);
-    /// 0..1 of all pixels of all lights.
-    [[nodiscard]] double done() const;
-    /// Changes whenever a light has been recomputed.
-    [[nodiscard]] std::uint64_t version() const { return version_; }
+    /// Are the shares of all lights there, of those with an area at least the preview?
+    [[nodiscard]] bool hasPreview() const { return hasPreview_; }
+    /// Changes whenever the light's shares have become exact, or a preview.
+    [[nodiscard]] std::uint64_t version(int light) const { return lights_[static_cast<std::size_t>(light)].version; }
+    /// Of a light with an area: does only its centre count, as a point?
+    [[nodiscard]] bool isPreview(int light) const;
 
     /// What a pixel gets of a light.
     struct Share {
@@ -32,7 +37,7 @@ public:
         /// Of a light with an area its irradiance, in units of pi times its radiance (trace::AreaIrradiance), by the shading normal.
         float irradiance = 0;
     };
-    // Once advance() has returned true:
+    // Once there is a preview, with shares that are 1 or 0, and exactly once advance() has returned true:
 
     [[nodiscard]] ivec2 size() const { return seenFrom_.size; }
     /// What the pixels show, and the rays that found it: for others who ask on from there (pixel_gather.h).
@@ -46,19 +51,23 @@ public:
     [[nodiscard]] dvec3 normalWorld(const trace::SurfacePoint& point) const;
     /// Of all pixels; row 0 is at the bottom, as GL wants it.
     [[nodiscard]] const std::vector<Share>& sharesFromBelow(int light) const {
-        return lights_[static_cast<std::size_t>(light)].sharesFromBelow;
+        const OfLight& ofLight = lights_[static_cast<std::size_t>(light)];
+        return isPreview(light) ? ofLight.previewFromBelow : ofLight.sharesFromBelow;
     }
 
 private:
     struct OfLight {
         scene::Light light;
         std::unique_ptr<trace::AreaVisibility> area; ///< while it is being computed
-        std::vector<Share> sharesFromBelow;
-        std::size_t nextTile = 0;
+        std::vector<Share> sharesFromBelow, previewFromBelow;
+        std::size_t nextPreviewTile = 0, nextTile = 0;
+        std::uint64_t version = 0;
     };
+    [[nodiscard]] trace::Blocks tiles() const;
+    bool advanceLight(int light, bool onlyPreview, Deadline deadline);
     void restart(const scene::Snapshot& snapshot, const trace::SeenFrom& seenFrom);
     void seeBlock(const trace::EyeRays& rays, std::size_t block);
-    void lightTile(OfLight& ofLight, int light, std::size_t tile) const;
+    void lightTile(const OfLight& ofLight, int light, std::size_t tile, std::vector<Share>& sharesFromBelow) const;
     [[nodiscard]] std::vector<Share> sharesWithoutArea(int light, std::span<const trace::SurfacePoint> points) const;
     [[nodiscard]] std::vector<Share> areaShares(const trace::AreaVisibility& area, std::span<const trace::SurfacePoint> points) const;
 
@@ -68,6 +77,7 @@ private:
     trace::SeenFrom seenFrom_;
     std::vector<trace::SurfacePoint> points_; ///< that the pixels show, block by block (foundation/trace/blocks.h)
     std::size_t seenBlocks_ = 0;
+    bool hasPreview_ = false;
     std::vector<OfLight> lights_;
     std::uint64_t version_ = 0;
 };

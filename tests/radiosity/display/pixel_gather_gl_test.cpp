@@ -98,7 +98,7 @@ TEST_F(RadiosityGatherTest, BeforeAWallTheFloorIsItsClosedForm) {
     EXPECT_GT(meanError("gather=none"), 0.2) << "one number for all of the floor";
 }
 
-// On a plain in the open no ray meets anything: what one pixel finds holds for all of them.
+// On a plain in the open no ray meets anything: what one pixel finds holds for all of them. Of 144 rows every second one gathers.
 TEST_F(RadiosityGatherTest, PixelsThatSeeNothingNearShare) {
     scene::Scene scene;
     scene.background = vec3(0.2f);
@@ -106,9 +106,9 @@ TEST_F(RadiosityGatherTest, PixelsThatSeeNothingNearShare) {
     testing::addObject(scene, scene::makeQuad({100, 100}), dmat4(1));
     scene.camera.positionWorld = {0, 3, 4};
     scene.camera.targetWorld = {0, 0, 0};
-    const ivec2 size{64, 36};
+    const ivec2 size{256, 144};
     testing::TechniqueSlot radiosity("radiosity", testing::snapshot(scene));
-    EXPECT_EQ(radiosity.counted({"gather=shared"}, size, "gathering-alone"), 0);
+    EXPECT_EQ(radiosity.counted({"gather=shared"}, size, "gathering"), size.x * size.y / 4);
     for (const vec4& texel : radiosity.radiance({"gather=shared"}, size))
         ASSERT_NEAR(texel.g, 0.2f * scene.materials[0].diffuse.g, 1e-3f);
 }
@@ -135,7 +135,6 @@ TEST_F(RadiosityGatherTest, ASmallEmitterIsItsClosedFormAlongFewRays) {
         const double x = std::hypot(a, kHeight), y = std::hypot(b, kHeight);
         return (a / x * std::atan(b / x) + b / y * std::atan(a / y)) / glm::two_pi<double>();
     };
-    // Of those that share, every fourth pixel gathers, here every quarter of a metre, and planes are laid through what they find.
     for (const auto& [gather, mostMean, most] : {std::tuple(std::string("gather=pixels"), 0.005, 0.05), {"gather=shared", 0.02, 0.1}}) {
         testing::TechniqueSlot radiosity("radiosity", testing::snapshot(scene));
         const std::vector<vec4> texels = radiosity.radiance({"patches=8", "surroundings=dark", gather, "gather-samples=32"}, size);

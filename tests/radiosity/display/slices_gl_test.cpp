@@ -1,0 +1,51 @@
+// Radiosity in slices of time, as the window draws it: its picture is drawn again only where it would be another one.
+// SPDX-License-Identifier: MIT
+#include "app/context/assets.h"
+#include "app/picture/session.h"
+#include "techniques/foundation/gl/read_back.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "tests/support/gl_fixture.h"
+
+namespace shadowlab {
+namespace {
+
+using RadiositySlicesTest = testing::GlTest;
+
+/// A slice in which all that is done is the least that each call does.
+FrameRequest slice() {
+    FrameRequest request;
+    request.deadline = Deadline::min();
+    return request;
+}
+
+TEST_F(RadiositySlicesTest, WhatHasNotChangedIsNotDrawnAgain) {
+    const scene::Snapshot scene = scene::loadScene("cornell-room", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
+    View view;
+    view.camera = scene->camera;
+    view.size = {160, 90};
+    picture::Session session(scene);
+    picture::Slot slices = picture::Session::makeSlot("radiosity"), whole = picture::Session::makeSlot("radiosity");
+    int frames = 0, drawn = 0;
+    for (bool isConverged = false; !isConverged; ++frames) {
+        const picture::RenderedFrame frame = session.render(slices, view, slice());
+        isConverged = frame.converged;
+        drawn += !frame.result.passes.empty();
+    }
+    // Ambient light, the preview, direct light, what patches reflect (before and after the equations are solved), what is gathered.
+    EXPECT_GE(drawn, 3);
+    EXPECT_LE(drawn, 8);
+    EXPECT_GT(frames, 4 * drawn);
+
+    ASSERT_TRUE(session.render(whole, view).converged);
+    EXPECT_EQ(gl::readTexels(slices.target.color), gl::readTexels(whole.target.color)) << "bit by bit";
+
+    // Whoever asks for a stage, or stops after a pass, gets it; another eye is another picture.
+    FrameRequest asking = slice();
+    asking.stopAfter = StageKey{"emission"};
+    EXPECT_FALSE(session.render(slices, view, asking).result.passes.empty());
+    view.camera.positionWorld.x += 0.05;
+    EXPECT_FALSE(session.render(slices, view, slice()).result.passes.empty());
+}
+
+} // namespace
+} // namespace shadowlab
