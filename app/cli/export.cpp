@@ -58,12 +58,20 @@ ExportOptions exportOptions(const GivenOptions& given) {
     return options;
 }
 
+/// The scene as any command takes it, with the options that go with it.
+std::string sceneWords(const ExportOptions& options) {
+    std::string words = foreign::shellWord(options.scene);
+    if (!options.view.empty()) words += " --view " + foreign::shellWord(options.view);
+    if (options.normals) words += " --normals " + std::string(scene::kNormalModes[static_cast<std::size_t>(*options.normals)]);
+    for (const std::filesystem::path& folder : options.allowed)
+        words += " --allow " + foreign::shellWord(folder.string());
+    return words;
+}
+
 /// The command line that makes the same folder again.
 std::string commandText(const ExportOptions& options) {
-    std::string text = "shadowlab export " + foreign::shellWord(options.scene) + " -o " + foreign::shellWord(options.output.string()) +
-                       " --to " + std::string(options.format->name) + " --size " + std::to_string(options.size.x) + "x" +
-                       std::to_string(options.size.y);
-    if (!options.view.empty()) text += " --view " + foreign::shellWord(options.view);
+    std::string text = "shadowlab export " + sceneWords(options) + " -o " + foreign::shellWord(options.output.string()) + " --to " +
+                       std::string(options.format->name) + " --size " + std::to_string(options.size.x) + "x" + std::to_string(options.size.y);
     if (!options.threeModule.empty()) text += " --three-module " + foreign::shellWord(options.threeModule.string());
     return text;
 }
@@ -71,7 +79,7 @@ std::string commandText(const ExportOptions& options) {
 int exportTo(const ExportOptions& options) {
     const scene::Snapshot scene = loadSeenFrom(options.scene, options.view, loadOptions(options.allowed, options.normals));
     image::writeFolder(options.output, [&](const std::filesystem::path& folder) {
-        foreign::exportScene(*scene, {options.format, options.scene, commandText(options), options.size, options.threeModule}, folder);
+        foreign::exportScene(*scene, {options.format, sceneWords(options), commandText(options), options.size, options.threeModule}, folder);
     });
     for (const std::string& remark : scene->notes)
         note(remark);

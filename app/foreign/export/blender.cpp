@@ -22,8 +22,8 @@ void writeBlender(const ExportJob& job) {
 std::vector<std::string> leftOutOfBlender(const PlainScene& scene) {
     LeftOut list(scene);
     list.noReceivesShadow();
-    list.soften("the soft edge of the cone falls off along another curve, and toward the edge Blender's spots are darker; in the pictures "
-                "that are judged the cone ends where it ends here");
+    list.soften("the soft edge of the cone falls off along another curve, and toward the edge Blender's spots are darker; for `visibility` the cone "
+                "ends where it ends here");
     list.lights([](const scene::Light& light) { return scene::hasArea(light); },
                 "in `look` it shines by its surface, so its shadow has a penumbra, as with `ray-traced` and many samples");
     list.materials(hasHighlight, "the highlight is Beckmann's lobe of the same width, and mirrors things nearby a little");
@@ -39,7 +39,7 @@ std::string howToBlender(const PlainScene& scene, ivec2 size) {
                        " -o look.png\n" + start + "calibration.py --" + pixels + " -o calibration.png\n";
     for (const scene::Light& light : scene.lights) {
         const std::string of = " --light " + shellWord(light.name) + pixels + " -o ";
-        for (const char* picture : {"lit", "unshadowed", "visibility"})
+        for (const char* picture : {"shaded", "unshadowed", "visibility"})
             text += start + "scene.py -- --picture " + picture + of + shellWord(std::string(picture) + "-" + light.name + ".png") + "\n";
     }
     return text + "\nPictures are sRGB with 16 bits a channel: view transform Standard, no look, no dithering. All rays of a pixel go through its "

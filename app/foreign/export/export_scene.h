@@ -10,7 +10,7 @@ namespace shadowlab::foreign {
 
 struct ExportRequest {
     const Format* format = nullptr;
-    std::string scene;   ///< as it was asked for, for commands in the README
+    std::string scene;   ///< as commands in the README name it, with the options that go with it
     std::string command; ///< the whole command line, likewise
     ivec2 size{640, 360};
     std::filesystem::path threeModule; ///< see ExportJob

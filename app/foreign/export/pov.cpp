@@ -32,24 +32,25 @@ std::string povHeader(const ExportJob& job) {
         list += comment("  " + std::to_string(i + 1) + "  " + job.scene.lights[i].name);
     return comment(job.scene.name + ", written by Shadowlab for POV-Ray 3.7; README.md says how it is drawn.") +
            "// Declare=Picture=0  the scene as it is, by direct light\n"
-           "//                 1  white dull surfaces under one light that does not weaken with distance\n"
-           "//                 2  the same, and the light casts no shadow\n"
-           "//                 3  white where the light is seen, black in shadow, whatever the angle\n"
-           "// Declare=Light=N    that light alone; 0: all, in pictures 1 to 3 the first\n" +
+           "//                 1  the same without mirrors and glass; of all lights one alone casts shadows\n"
+           "//                 2  the same, and no light casts shadows\n"
+           "//                 3  white where one light is seen, black in shadow, whatever the angle\n"
+           "// Declare=Light=N    that one light, in pictures 1 to 3 the first where nothing is said; in picture 0 it shines alone, 0: all\n" +
            list +
            "#version 3.7;\n"
            "#ifndef (Picture) #declare Picture = 0; #end\n"
            "#ifndef (Light) #declare Light = 0; #end\n"
-           "#declare Judged = (Picture > 0);\n"
-           "#declare One = (Judged & (Light = 0) ? 1 : Light);\n"
-           "#macro Shines(Number) ((One = 0) | (One = Number)) #end\n\n"
+           "#declare White = (Picture = 3);\n"
+           "#declare One = (Picture != 0 & Light = 0 ? 1 : Light);\n"
+           "#macro Shines(Number) (One = 0 | One = Number | Picture = 1 | Picture = 2) #end\n"
+           "#macro Casts(Number) (Picture = 0 | Picture = 3 | Picture = 1 & One = Number) #end\n\n"
            "global_settings { assumed_gamma 1.0 ambient_light rgb 1 max_trace_level 12 }\n";
 }
 
 std::string povEye(const PlainScene& scene) {
     const PlainEye& eye = scene.eye;
     const std::string height = text(2 * std::tan(glm::radians(eye.fovYDegrees) / 2));
-    return "#if (Judged) background { rgbt <0, 0, 0, 1> } #else background { rgb " + povVector(dvec3(scene.background) * double(scene.exposure)) +
+    return "#if (White) background { rgbt <0, 0, 0, 1> } #else background { rgb " + povVector(dvec3(scene.background) * double(scene.exposure)) +
            " } #end\n"
            "camera {\n  perspective\n  location " + povVector(eye.position) + "\n  direction " + povVector(-eye.back) + "\n  right " +
            povVector(eye.right) + " * " + height + " * image_width / image_height\n  up " + povVector(eye.up) + " * " + height + "\n}\n\n";
@@ -65,10 +66,10 @@ dvec3 sunPlace(const PlainScene& scene, const scene::Light& light) {
     return scene.eye.position - light.directionWorld * kAway * std::max(reach, 1.0);
 }
 
-std::string shapeOf(const scene::Light& light, const dvec3& place, bool judged) {
+std::string shapeOf(const scene::Light& light, const dvec3& place, bool isHard) {
     if (light.type == scene::LightType::directional) return " parallel point_at " + povVector(place + light.directionWorld);
     if (light.type == scene::LightType::spot) {
-        const double half = light.coneDegrees / 2, full = judged ? half : half - light.edgeDegrees;
+        const double half = light.coneDegrees / 2, full = isHard ? half : half - light.edgeDegrees;
         return " spotlight point_at " + povVector(place + light.directionWorld) + " radius " + text(full) + " falloff " + text(half) + " tightness 0";
     }
     if (light.type == scene::LightType::rect) // to its front alone
@@ -94,30 +95,38 @@ std::string povLight(const PlainScene& scene, std::size_t index) {
     const dvec3 color = dvec3(light.color) * scene::pointIntensity(light) * double(scene.exposure) / glm::pi<double>();
     const std::string start = "  light_source { " + povVector(place) + ", rgb ";
     const std::string fade = isSun ? "" : " * " + text(0.5 / (kFade * kFade)) + " fade_distance " + text(kFade) + " fade_power 2";
-    return comment(light.name) + "#if (Shines(" + std::to_string(index + 1) + "))\n#if (Judged)\n" + start + "1" + shapeOf(light, place, true) +
-           " #if (Picture = 2) shadowless #end }\n#else\n" + start + povVector(color) + fade + shapeOf(light, place, false) + areaOf(light) +
-           " }\n#end\n#end\n";
+    const std::string number = std::to_string(index + 1), shadow = " #if (!Casts(" + number + ")) shadowless #end }\n";
+    return comment(light.name) + "#if (Shines(" + number + "))\n#if (White)\n" + start + "1" + shapeOf(light, place, true) + shadow + "#else\n" + start +
+           povVector(color) + fade + shapeOf(light, place, false) + (scene::hasArea(light) ? " #if (Picture = 0)" + areaOf(light) + " #end" : "") + shadow +
+           "#end\n#end\n";
 }
 
 std::string imageText(const PlainMaterial& material, const PlainScene& scene) {
     return "png \"" + scene.images[static_cast<std::size_t>(material.image)].file + "\"" + (material.clamped ? " once" : "");
 }
 
-/// White, with the holes of its material.
-std::string judgedTexture(const PlainMaterial& material, const PlainScene& scene, bool isLamp) {
-    const std::string finish = isLamp ? "" : " finish { Flat }";
-    if (!material.hasHoles) return "texture { pigment { rgb " + std::string(isLamp ? "0" : "1") + " }" + finish + " }";
-    return "texture { uv_mapping pigment { image_pattern { " + imageText(material, scene) +
-           " use_alpha interpolate 0 } color_map { [0.5 rgbt <1, 1, 1, 0>] [0.5 rgbt 1] } }" + finish + " }";
+/// A texture of that body, and nothing where the material's image has holes.
+std::string cutTexture(const PlainMaterial& material, const PlainScene& scene, const std::string& body) {
+    if (!material.hasHoles) return "texture { " + body + " }";
+    return "texture { uv_mapping image_pattern { " + imageText(material, scene) +
+           " use_alpha } texture_map { [0.5 " + body + "] [0.5 pigment { rgbt 1 } finish { Clear }] } }";
+}
+
+/// White; the surface of the light that shines is turned away from its centre, or lies in one plane with it. `lamp`: whose surface it
+/// is; -1: of none.
+std::string whiteTexture(const PlainMaterial& material, const PlainScene& scene, int lamp) {
+    const std::string white = lamp < 0 ? "1" : "#if (One = " + std::to_string(lamp + 1) + ") 0 #else 1 #end";
+    return cutTexture(material, scene, "pigment { rgb " + white + " } finish { Flat }");
 }
 
 std::string pigmentText(const PlainMaterial& material, const PlainScene& scene) {
     const scene::Material& m = material.values;
-    if (material.image < 0) {
+    if (!material.hasColors) {
         const vec3 color = m.diffuse == vec3(0) ? vec3(1) : m.diffuse;
-        return "pigment { rgbt <" + text(color) + ", " + text(m.transparency) + "> }";
+        return "pigment { rgbt <" + text(color) + ", " + (isGlass(material) ? "#if (Picture = 0) " + text(m.transparency) + " #else 0 #end" : "0") + "> }";
     }
-    return "uv_mapping pigment { image_map { " + imageText(material, scene) + " gamma srgb interpolate 0 } }";
+    // Between texels next to a hole its alpha would count as well.
+    return "pigment { uv_mapping image_map { " + imageText(material, scene) + " gamma srgb" + (material.hasHoles ? "" : " interpolate 2") + " } }";
 }
 
 std::string lookTexture(const PlainMaterial& material, const PlainScene& scene, bool isLamp) {
@@ -134,16 +143,16 @@ std::string lookTexture(const PlainMaterial& material, const PlainScene& scene, 
     std::string finish = "finish { ambient 0 emission rgb " + povVector(glow) + " diffuse " + (isBlack || isLamp ? "0" : "1");
     if (hasHighlight(material) && m.shininess > 0) // of their highlight the peak is the number, without the cosine
         finish += " specular " + text((m.specular.x + m.specular.y + m.specular.z) / 3 * (m.shininess + 8) / 8) + " roughness " + text(1 / m.shininess);
-    if (isMirror(material)) finish += " reflection { " + text(m.reflectivity) + " }";
-    return "texture { " + pigmentText(material, scene) + " " + finish + " } }";
+    if (isMirror(material)) finish += " #if (Picture = 0) reflection { " + text(m.reflectivity) + " } #end";
+    return cutTexture(material, scene, pigmentText(material, scene) + " " + finish + " }");
 }
 
-std::string povMaterial(const PlainScene& scene, std::size_t index, bool isLamp) {
+std::string povMaterial(const PlainScene& scene, std::size_t index, int lamp) {
     const PlainMaterial& material = scene.materials[index];
     const std::string interior = isGlass(material) ? " interior { ior " + text(material.values.ior) + " }" : "";
-    return comment(material.values.name) + "#if (Judged)\n#declare Material_" + std::to_string(index + 1) + " = material { " +
-           judgedTexture(material, scene, isLamp) + " }\n#else\n#declare Material_" + std::to_string(index + 1) + " = material { " +
-           lookTexture(material, scene, isLamp) + interior + " }\n#end\n";
+    return comment(material.values.name) + "#if (White)\n#declare Material_" + std::to_string(index + 1) + " = material { " +
+           whiteTexture(material, scene, lamp) + " }\n#else\n#declare Material_" + std::to_string(index + 1) + " = material { " +
+           lookTexture(material, scene, lamp >= 0) + interior + " }\n#end\n";
 }
 
 template <typename Vector>
@@ -157,7 +166,7 @@ void appendBlock(std::string& text_, const char* name, const std::vector<Vector>
 std::string povMesh(const PlainMesh& mesh) {
     std::string text_ = comment(mesh.name) + "mesh2 {\n";
     appendBlock(text_, "vertex_vectors", mesh.positions);
-    text_ += "#if (!Judged)\n";
+    text_ += "#if (!White)\n";
     appendBlock(text_, "normal_vectors", mesh.normals);
     text_ += "#end\n";
     if (!mesh.texcoords.empty()) appendBlock(text_, "uv_vectors", mesh.texcoords);
@@ -170,14 +179,14 @@ std::string povMesh(const PlainMesh& mesh) {
 void writePov(const ExportJob& job) {
     const PlainScene& scene = job.scene;
     std::string file = povHeader(job) + povEye(scene);
-    file += "#declare Flat = finish { ambient 0 emission 0 diffuse #if (Picture = 3) 1 brilliance 0 #else 0.9 #end }\n\n";
+    file += "#declare Clear = finish { ambient 0 emission 0 diffuse 0 }\n#declare Flat = finish { ambient 0 emission 0 diffuse 1 brilliance 0 }\n\n";
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
         file += povLight(scene, i);
-    std::vector<bool> isLamp(scene.materials.size());
+    std::vector<int> lampOf(scene.materials.size(), -1);
     for (const PlainMesh& mesh : scene.meshes)
-        if (mesh.emitterOfLight >= 0) isLamp[mesh.material] = true;
+        lampOf[mesh.material] = mesh.emitterOfLight;
     for (std::size_t i = 0; i < scene.materials.size(); ++i)
-        file += povMaterial(scene, i, isLamp[i]);
+        file += povMaterial(scene, i, lampOf[i]);
     for (const PlainMesh& mesh : scene.meshes)
         file += povMesh(mesh);
     writeImages(job);
@@ -188,14 +197,14 @@ std::vector<std::string> leftOutOfPov(const PlainScene& scene) {
     LeftOut list(scene);
     list.noReceivesShadow();
     list.noNear();
-    list.soften("the soft edge of the cone falls off along another curve; in the pictures that are judged the cone ends where it ends here");
+    list.soften("the soft edge of the cone falls off along another curve; in picture 3 the cone ends where it ends here");
     list.lights([](const scene::Light& light) { return scene::hasArea(light); },
                 "in picture 0 its shadow has a penumbra, of 9 x 9 points; its strength falls off as that of a point at its centre, and for a rect without "
                 "the cosine at the lamp");
     list.materials([](const PlainMaterial& m) { return shines(m) && m.values.emits == scene::EmittingSides::front; }, "shines from both sides");
     list.materials(hasHighlight, "the highlight has no colour and no cosine");
     list.materials(isBlurred, "mirrors and glass are clear, rays are not spread");
-    list.materials(isGlass, "lets light through to what lies behind it, in picture 0; in the pictures that are judged it is solid");
+    list.materials(isGlass, "lets light through to what lies behind it, in picture 0; in the others it is solid");
     list.materials([](const PlainMaterial& m) { return m.clamped; }, "nothing is drawn beyond the border of its image, in place of its last texels");
     list.materials([](const PlainMaterial& m) { return m.hasColors; }, "the colours of its image are not multiplied by the material's own");
     list.meshes([](const PlainMesh& mesh) { return !mesh.colors.empty(); }, "has no colours at its corners here");
@@ -209,12 +218,12 @@ std::string howToPov(const PlainScene& scene, ivec2 size) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const std::string of = " Declare=Light=" + std::to_string(i + 1) + " ";
         const std::string& name = scene.lights[i].name;
-        text_ += start + "+Iscene.pov Declare=Picture=1" + of + shellWord("+Olit-" + name + ".png") + "\n";
+        text_ += start + "+Iscene.pov Declare=Picture=1" + of + shellWord("+Oshaded-" + name + ".png") + "\n";
         text_ += start + "+Iscene.pov Declare=Picture=2" + of + shellWord("+Ounshadowed-" + name + ".png") + "\n";
         text_ += start + "+UA +Iscene.pov Declare=Picture=3" + of + shellWord("+Ovisibility-" + name + ".png") + "\n";
     }
     return text_ + "\nPictures are sRGB with 16 bits a channel. `-A` leaves antialiasing out, so that each pixel is the ray through its centre. In "
-                   "pictures 1 to 3 a light with an area is a point at its centre, and normals are those of the triangles.\n";
+                   "pictures 1 to 3 a light with an area is a point at its centre; in picture 3 normals are those of the triangles.\n";
 }
 
 } // namespace

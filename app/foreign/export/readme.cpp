@@ -64,13 +64,13 @@ std::string judgeText(const Format& format, const PlainScene& plain, const std::
     std::string text_ = "## How it is judged\n\n"
                         "Visibility is asked for one light at a time, at the centre of a light with an area. A surface that the light shines on from "
                         "behind, as the eye sees it, has none: that is decided by the triangle, not by shading normals.\n\n"
-                        "    shadowlab judge " + shellWord("visibility-" + light + ".png") + " " + shellWord(scene) + " --light " + name + "\n";
+                        "    shadowlab judge " + shellWord("visibility-" + light + ".png") + " " + scene + " --light " + name +
+                        " --calibration calibration.png\n";
     if (format.drawsUnshadowed)
-        text_ += "    shadowlab judge " + shellWord("lit-" + light + ".png") + " " + shellWord(scene) + " --light " + name + " --reference " +
-                 shellWord("unshadowed-" + light + ".png") + "\n\n"
-                 "The first takes a picture that is white where the light is seen and black in shadow. The second takes one with shadows, and beside it "
-                 "the same without: where the second is lit and the first is not, there is shadow. Both are of that light alone, without ambient "
-                 "light, and not antialiased.\n\n";
+        text_ += "    shadowlab judge " + shellWord("shaded-" + light + ".png") + " " + scene + " --light " + name + " --reference " +
+                 shellWord("unshadowed-" + light + ".png") + " --calibration calibration.png\n\n"
+                 "The first takes a picture that is white where the light is seen and black in shadow. The second takes one with the shadows of that light "
+                 "alone, and beside it the same without: where it is darker, there is shadow. Neither is antialiased.\n\n";
     else
         text_ += "\nIt takes a picture that is white where the light is seen and black in shadow.\n\n";
     return text_;

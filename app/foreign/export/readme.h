@@ -7,7 +7,7 @@
 
 namespace shadowlab::foreign {
 
-/// Markdown. `command`: how the folder was made. `scene`: as `shadowlab` takes it.
+/// Markdown. `command`: how the folder was made. `scene`: as commands name it, with the options that go with it.
 std::string readmeText(const Format& format, const PlainScene& plain, const std::string& scene, const std::string& command, ivec2 size);
 
 } // namespace shadowlab::foreign

@@ -34,9 +34,9 @@ std::string modules(const std::filesystem::path& file) {
 void writeThree(const ExportJob& job) {
     std::string page = templateText("three.html.in");
     page = filledIn(std::move(page), "FILE", job.stem + ".html");
-    // What may hold any characters comes last.
-    page = filledIn(std::move(page), "SCENE", plainSceneJson(job.scene, job.size, ImagesAs::dataUrls));
     page = filledIn(std::move(page), "THREE", job.threeModule.empty() ? "" : modules(job.threeModule));
+    // The scene last: its names may hold any characters.
+    page = filledIn(std::move(page), "SCENE", plainSceneJson(job.scene, job.size, ImagesAs::dataUrls));
     image::writeWhole(job.folder / (job.stem + ".html"), page);
 }
 
@@ -46,7 +46,7 @@ std::vector<std::string> leftOutOfThree(const PlainScene& scene) {
              "cube around a point light (`?map=N` sets another number)");
     list.lights([](const scene::Light& light) { return scene::hasArea(light); },
                 "is a point at its centre, with a sharp shadow; its strength falls off as that of a point");
-    list.soften("the soft edge of the cone falls off with the cosine; in the pictures that are judged the cone ends where it ends here");
+    list.soften("the soft edge of the cone falls off with the cosine; for `visibility` the cone ends where it ends here");
     list.materials(isMirror, "mirrors nothing");
     list.materials(isGlass, "lets nothing through");
     list.materials(hasHighlight, "the highlight grows toward grazing angles (Schlick's Fresnel term)");
@@ -63,7 +63,7 @@ std::string howToThree(const PlainScene& scene, ivec2 size) {
         "Open `scene.html` and `calibration.html` with these addresses, and save the picture by the link below it:\n\n"
         "    scene.html?size=" + pixels + "\n    calibration.html?size=" + pixels + "\n";
     for (const scene::Light& light : scene.lights)
-        for (const char* picture : {"lit", "unshadowed", "visibility"})
+        for (const char* picture : {"shaded", "unshadowed", "visibility"})
             text += std::string("    scene.html?picture=") + picture + "&light=" + light.name + "&size=" + pixels + "\n";
     return text + "\nWithout a window, for example with Chromium, the page that is printed holds the picture as a `data:` URL:\n\n"
                   "    chromium --headless --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=60000 --dump-dom \\\n"
