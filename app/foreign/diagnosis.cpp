@@ -26,7 +26,7 @@ struct Ranked {
 double scoreOf(const Ranked& ranked) {
     const Cause& cause = *ranked.cause;
     // The whole picture knows the cause better, the worst region is what the sentence is about. A pattern lies where it lies.
-    const double other = cause.hasRule ? ranked.named.explainedInRegion : cause.ofItsKind;
+    const double other = cause.isOfPicture ? ranked.named.explained : cause.hasRule ? ranked.named.explainedInRegion : cause.ofItsKind;
     return 0.5 * (ranked.named.explained + other) * cause.likelihood * (cause.hasRule ? 1.0 : kOfPatterns);
 }
 

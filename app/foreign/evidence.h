@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/foreign/calibration_reading.h"
 #include "app/foreign/found_visibility.h"
 #include "app/judge/grid.h"
 #include "app/judge/slot_errors.h"
@@ -39,6 +40,7 @@ struct Evidence {
     const judge::Judgement& judgement;
     judge::Grid<float> boundaryPx; ///< distanceToBoundary() of the truth
     int light = 0;
+    std::optional<Orientation> reference{}; ///< how the reference of a pair lies, by its shading; none: no pair, or it does not tell
     std::vector<Sample> samples{};
     double wrong = 0; ///< weight of all wrong samples
 
@@ -54,9 +56,11 @@ void chooseSamples(Evidence& evidence);
 
 using Predictions = std::vector<Prediction>; ///< one for each sample
 
-/// What the picture shows where another view would see the background: a visibility image is black there, a pair says nothing.
+/// What the picture shows where another view would see the background: a visibility image is black there, and both pictures of a pair show
+/// the same, whatever that was taken for.
 inline Prediction ofBackground(const Evidence& evidence, const Sample& sample) {
-    return evidence.found.isPair ? predicted(sample.isLit) : Prediction::dark;
+    if (evidence.found.isSame.empty()) return Prediction::dark;
+    return predicted(evidence.found.isSame[sample.index] == 0 || sample.isLit);
 }
 
 /// Predictions for all samples, found on all cores.
@@ -72,6 +76,7 @@ struct Cause {
     std::string what;        ///< what it looks like, with its numbers, as a sentence without its end
     std::string remedy;
     Predictions predictions; ///< of a cause without a rule: what the picture shows where it may be the cause, else the truth
+    bool isOfPicture = false; ///< of all of it, so that no region counts for more
     bool hasRule = true;     ///< it predicts each pixel; else it knows a pattern only, and counts for less
     double ofItsKind = 0;    ///< of a pattern: what it explains of the wrong pixels that it is looked for among
     double likelihood = 1;   ///< of two that predict the same, the likelier one first

@@ -65,12 +65,13 @@ double strengthOf(const std::vector<PairedPixel>& pixels, const judge::Truth& tr
     return std::clamp(*middle, 1 / kMost, kMost);
 }
 
-/// R over the radiance of the scene's own shading: the middle of all pixels that face the light.
+/// R over the radiance of the scene's own shading: the middle of all pixels that face the light and are not black.
 double exposureOf(const image::Image& reference, const judge::Truth& truth, const ExpectedLight& expected, ToneCurve curve) {
     std::vector<double> ratios;
     for (std::size_t i = 0; i < truth.visibility.size(); ++i) {
         const double whole = static_cast<double>(expected.ofLight[i].g + expected.remaining[i].g);
-        if (facesTheLight(truth.visibility[i]) && whole > 0) ratios.push_back(linearFrom(curve, reference.rgba[image::kChannels * i + 1] / 255.0) / whole);
+        const std::uint8_t seen = reference.rgba[image::kChannels * i + 1];
+        if (facesTheLight(truth.visibility[i]) && whole > 0 && seen > kLeastLevels) ratios.push_back(linearFrom(curve, seen / 255.0) / whole);
     }
     if (ratios.empty()) return 1;
     const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
@@ -109,7 +110,14 @@ FoundVisibility fromPair(const image::Image& shaded, const image::Image& referen
         const int x = static_cast<int>(i % static_cast<std::size_t>(truth.size.x)), y = static_cast<int>(i / static_cast<std::size_t>(truth.size.x));
         pixels[i] = paired(shaded.at(x, y), reference.at(x, y), expected.ofLight[i], expected.remaining[i], curve);
     }
-    found.isPair = true;
+    found.isSame.assign(pixels.size(), 0);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const std::size_t byte = image::kChannels * i;
+        bool same = true;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            same = same && std::abs(shaded.rgba[byte + channel] - reference.rgba[byte + channel]) < kLeastLevels / 2;
+        found.isSame[i] = same ? 1 : 0;
+    }
     found.strength = strengthOf(pixels, truth);
     const double exposure = exposureOf(reference, truth, expected, curve);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -120,9 +128,7 @@ FoundVisibility fromPair(const image::Image& shaded, const image::Image& referen
             continue;
         }
         if (pixels[i].isClipped) ++found.clipped;
-        const std::size_t byte = image::kChannels * i;
-        const bool same = std::abs(shaded.rgba[byte + 1] - reference.rgba[byte + 1]) < kLeastLevels / 2;
-        if (same && lacksLight(linearFrom(curve, reference.rgba[byte + 1] / 255.0), expected.ofLight[i], expected.remaining[i], exposure)) {
+        if (found.isSame[i] && lacksLight(linearFrom(curve, reference.rgba[image::kChannels * i + 1] / 255.0), expected.ofLight[i], expected.remaining[i], exposure)) {
             found.isJudged[i] = 1; // grey stays 0
             continue;
         }

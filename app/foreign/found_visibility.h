@@ -18,10 +18,10 @@ namespace shadowlab::foreign {
 
 struct FoundVisibility {
     picture::VisibilityImage image;
-    std::vector<std::uint8_t> isJudged; ///< per pixel: 0 where the pictures cannot say
+    std::vector<std::uint8_t> isJudged{}; ///< per pixel: 0 where the pictures cannot say
+    std::vector<std::uint8_t> isSame{};   ///< of a pair, per pixel: 1 where both pictures show the same; empty: no pair
     int notJudged = 0;                  ///< pixels with a surface that faces the light, where they cannot
     int clipped = 0;                    ///< of all, pixels of the reference that are white: brighter light would look the same
-    bool isPair = false;                ///< else the picture said it itself
     double strength = 1;                ///< of a pair: share of R that D has, over that of the scene's shading
 };
 

@@ -36,6 +36,7 @@ int tiesOf(const judge::Truth& truth) {
 JudgedPicture judgePicture(const scene::Snapshot& scene, int light, const image::Image& picture, const image::Image* reference) {
     JudgedPicture judged;
     const scene::Light& source = scene->light(light);
+    std::optional<Orientation> orientation;
     const ivec2 size(picture.width, picture.height);
     trace::SceneTracer tracer;
     tracer.advance(scene, std::chrono::steady_clock::time_point::max());
@@ -44,7 +45,8 @@ JudgedPicture judgePicture(const scene::Snapshot& scene, int light, const image:
     judged.truth = judge::exactTruth(tracer, scene->camera, size, light, judge::Rasterised{}, {}, judged.truthOf);
     if (reference) {
         const ExpectedLight expected = expectedLight(tracer, scene->camera, size, light);
-        judged.encoding = wrongEncodingOf(*reference, expected);
+        orientation = orientationOf(*reference, expected, scene->background);
+        judged.encoding = wrongEncodingOf(putUpright(*reference, orientation.value_or(Orientation{})), expected);
         judged.found = fromPair(picture, *reference, judged.truth, expected, judged.encoding ? judged.encoding->curve : ToneCurve::srgb);
     } else {
         requireVisibilityImage(picture, judged.truth, judged.truthOf == judge::TruthOf::area);
@@ -58,7 +60,7 @@ JudgedPicture judgePicture(const scene::Snapshot& scene, int light, const image:
     const std::vector<judge::BoundaryEdge> boundary = judge::trueBoundary(judged.truth);
     judged.errors = judge::slotErrors(judged.truth, boundary, judged.found.image.greyAlpha);
     judged.errors.judgement.counts.ties = ties;
-    Evidence evidence{tracer, scene->camera, judged.truth, judged.found, judged.errors.judgement, judge::distanceToBoundary(boundary, size), light};
+    Evidence evidence{tracer, scene->camera, judged.truth, judged.found, judged.errors.judgement, judge::distanceToBoundary(boundary, size), light, orientation};
     judged.core = judge::coreErrors(judged.truth, judged.errors.judgement, evidence.boundaryPx, std::nullopt);
     judged.boundaryPx = judge::displacement(judged.truth, boundary, judged.found.image.greyAlpha);
     if (judged.errors.judgement.counts.wrong() > 0) judged.diagnosis = diagnose(evidence);

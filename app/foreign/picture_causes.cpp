@@ -50,17 +50,29 @@ Predictions traced(const Evidence& evidence, const OtherView& view) {
 /// A cause is worth rays only if what is looked up explains this share.
 constexpr double kWorthRays = 0.25;
 
+/// Two kinds of evidence count for more than one.
+constexpr double kSeenInShading = 1.3;
+
 std::string percentText(double share) { return picture::fixed(100 * share, 0) + " %"; }
+
+void addOfPicture(const Evidence& evidence, Cause cause, std::vector<Cause>& causes) {
+    cause.isOfPicture = true;
+    addIfExplains(evidence, std::move(cause), causes);
+}
 
 void addFlips(const Evidence& evidence, std::vector<Cause>& causes) {
     for (const Orientation& orientation :
          {Orientation{false, true, false}, Orientation{false, false, true}, Orientation{false, true, true}}) {
+        // Where the shading of a reference says how it lies, shadows are not asked.
+        if (evidence.reference && *evidence.reference != orientation) continue;
         Cause cause{"flipped", "", orientationFault(orientation).remedy, {}};
+        if (evidence.reference) cause.likelihood = kSeenInShading;
         const OtherView view{{orientation.mirrorsX ? -1 : 1, orientation.mirrorsY ? -1 : 1}, {}};
         cause.predictions = traced(evidence, view);
         cause.what = "the picture is " + toText(orientation) + ": put upright, it agrees with the truth in " +
                      percentText(explained(evidence, cause.predictions)) + " of the pixels that are wrong now";
-        addIfExplains(evidence, std::move(cause), causes);
+        if (evidence.reference) cause.what += ", and the shading of the reference lies so, too";
+        addOfPicture(evidence, std::move(cause), causes);
     }
 }
 
@@ -86,7 +98,7 @@ void addShift(const Evidence& evidence, std::vector<Cause>& causes) {
     Cause cause{"shift", "", shiftRemedy(best.shiftPx), traced(evidence, best)};
     cause.what = "the picture is shifted by " + shiftText(best.shiftPx) + ": so moved, rays of the scene explain " +
                  percentText(explained(evidence, cause.predictions)) + " of the wrong pixels";
-    addIfExplains(evidence, std::move(cause), causes);
+    addOfPicture(evidence, std::move(cause), causes);
 }
 
 void addScale(const Evidence& evidence, std::vector<Cause>& causes) {
@@ -116,7 +128,7 @@ void addScale(const Evidence& evidence, std::vector<Cause>& causes) {
     Cause cause{"view", "", fault->remedy, traced(evidence, best)};
     cause.what = "the picture " + fault->what + ": seen so, rays of the scene explain " +
                  percentText(explained(evidence, cause.predictions)) + " of the wrong pixels";
-    addIfExplains(evidence, std::move(cause), causes);
+    addOfPicture(evidence, std::move(cause), causes);
 }
 
 void addOtherLights(const Evidence& evidence, std::vector<Cause>& causes) {
@@ -129,14 +141,14 @@ void addOtherLights(const Evidence& evidence, std::vector<Cause>& causes) {
         instead.predictions = predictAll(evidence, [&](const Sample& sample) { return predicted(seenBy(sample, other)); });
         instead.what = "these are the shadows of the light " + name + ": they explain " + percentText(explained(evidence, instead.predictions)) +
                        " of the wrong pixels";
-        addIfExplains(evidence, std::move(instead), causes);
+        addOfPicture(evidence, std::move(instead), causes);
         Cause both{"shadows-of-other-lights", "", "draw the picture and its reference with the same shadows of all other lights", {}};
         both.predictions = predictAll(evidence, [&](const Sample& sample) {
             return predicted(sample.shouldBeLit && evidence.tracer.visibility(sample.point, other) != Visibility::shadowed);
         });
         both.what = "the picture has the shadows of the light " + name + ", too: they explain " +
                     percentText(explained(evidence, both.predictions)) + " of the wrong pixels";
-        addIfExplains(evidence, std::move(both), causes);
+        addOfPicture(evidence, std::move(both), causes);
     }
 }
 
@@ -152,7 +164,7 @@ void addWholes(const Evidence& evidence, std::vector<Cause>& causes) {
     inverted.predictions = predictAll(evidence, [&](const Sample& sample) { return facing(sample) ? predicted(!sample.shouldBeLit) : Prediction::none; });
     inverted.what = "light and shadow are exchanged: " + percentText(explained(evidence, inverted.predictions)) + " of the wrong pixels are the opposite of the truth everywhere";
     // A picture that is all of one kind is not inverted.
-    if (lit > 0 && dark > 0) addIfExplains(evidence, std::move(inverted), causes);
+    if (lit > 0 && dark > 0) addOfPicture(evidence, std::move(inverted), causes);
 
     constexpr double kOfDescriptions = 0.9; // what predicts the same and says why goes before
     constexpr double kNearlyNone = 0.002; // of all pixels that face the light
@@ -161,14 +173,14 @@ void addWholes(const Evidence& evidence, std::vector<Cause>& causes) {
                    "see that casters are drawn into the map or the volumes, that counts are not all negative (wrong winding, or a test that never fails)", {}};
         none.likelihood = kOfDescriptions;
         none.predictions = predictAll(evidence, [&](const Sample& sample) { return predicted(facing(sample)); });
-        addIfExplains(evidence, std::move(none), causes);
+        addOfPicture(evidence, std::move(none), causes);
     }
     if (lit < kNearlyNone * (lit + dark)) {
         Cause all{"all-dark", "everything is in shadow: nothing that faces the light is lit",
                   "see whether every surface shadows itself (no bias, or the wrong sign of the comparison), and on which side the light is", {}};
         all.likelihood = kOfDescriptions;
         all.predictions = predictAll(evidence, [&](const Sample&) { return Prediction::dark; });
-        addIfExplains(evidence, std::move(all), causes);
+        addOfPicture(evidence, std::move(all), causes);
     }
 }
 

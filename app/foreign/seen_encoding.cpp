@@ -80,6 +80,35 @@ std::optional<SeenEncoding> wrongEncodingOf(const image::Image& reference, const
     return wrongEncoding(seen, ToneCurve::srgb, true);
 }
 
+std::optional<Orientation> orientationOf(const image::Image& reference, const ExpectedLight& expected, const vec3& background) {
+    const auto correlation = [&](const Orientation& orientation) {
+        double a = 0, b = 0, aa = 0, bb = 0, ab = 0;
+        for (int y = 0; y < reference.height; ++y)
+            for (int x = 0; x < reference.width; ++x) {
+                const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(reference.width) + static_cast<std::size_t>(x);
+                const float light = expected.ofLight[i].g + expected.remaining[i].g;
+                const double p = encodedWith(ToneCurve::srgb, static_cast<double>(light > 0 ? light : background.g));
+                const double q = reference.at(orientation.mirrorsX ? reference.width - 1 - x : x, orientation.mirrorsY ? reference.height - 1 - y : y).g / 255.0;
+                a += p, b += q, aa += p * p, bb += q * q, ab += p * q;
+            }
+        const double n = static_cast<double>(expected.ofLight.size()), varianceA = aa - a * a / n, varianceB = bb - b * b / n;
+        return varianceA > 0 && varianceB > 0 ? (ab - a * b / n) / std::sqrt(varianceA * varianceB) : 0.0;
+    };
+    std::optional<Orientation> best;
+    double most = -1, second = -1;
+    for (const Orientation& orientation : {Orientation{}, Orientation{false, true, false}, Orientation{false, false, true}, Orientation{false, true, true}}) {
+        const double found = correlation(orientation);
+        if (found > most)
+            second = most, most = found, best = orientation;
+        else
+            second = std::max(second, found);
+    }
+    // A picture of the scene agrees with its shading; mirrored it does so by chance, or where the scene is symmetric.
+    constexpr double kAgrees = 0.6, kClearly = 0.1;
+    if (most < kAgrees || most - second < kClearly) return std::nullopt;
+    return best;
+}
+
 std::optional<SeenEncoding> wrongEncodingOf(const image::Image& visibility, const judge::Truth& truth) {
     if (truth.shares.empty()) return std::nullopt;
     std::vector<Brightness> seen;
