@@ -16,8 +16,8 @@
 namespace shadowlab::foreign {
 
 /// Linear radiances of the wedge, from left to right. The dark ones tell sRGB from a power of 2.2.
-constexpr std::array kWedge{0.005, 0.02, 0.05, 0.1, 0.18, 0.3, 0.45, 0.6, 0.8, 1.0};
-constexpr std::array<std::array<double, 3>, 3> kChannelPatches{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+inline constexpr std::array kWedge{0.005, 0.02, 0.05, 0.1, 0.18, 0.3, 0.45, 0.6, 0.8, 1.0};
+inline constexpr std::array<std::array<double, 3>, 3> kChannelPatches{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 constexpr double kTurnedDegrees = 10; ///< of the squares, counter-clockwise as seen
 constexpr int kLeastBoardSide = 64;   ///< pixels; in a smaller picture the squares are too small to be measured
 

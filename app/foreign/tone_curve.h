@@ -13,7 +13,7 @@ enum class ToneCurve {
     doubleSrgb, ///< sRGB of sRGB: encoded twice
     decoded,    ///< decoded where it should have been encoded
 };
-constexpr std::array kToneCurves{ToneCurve::srgb, ToneCurve::linear, ToneCurve::power22, ToneCurve::doubleSrgb, ToneCurve::decoded};
+inline constexpr std::array kToneCurves{ToneCurve::srgb, ToneCurve::linear, ToneCurve::power22, ToneCurve::doubleSrgb, ToneCurve::decoded};
 
 /// "sRGB", "linear (gamma 1.0)" ...
 std::string_view toText(ToneCurve curve);
