@@ -73,7 +73,7 @@ std::string shapeOf(const scene::Light& light, const dvec3& place, bool isHard) 
         return " spotlight point_at " + povVector(place + light.directionWorld) + " radius " + text(full) + " falloff " + text(half) + " tightness 0";
     }
     if (light.type == scene::LightType::rect) // to its front alone
-        return " spotlight point_at " + povVector(place + scene::rectNormalWorld(light)) + " radius 90 falloff 90 tightness 0";
+        return " spotlight point_at " + povVector(place + scene::rectNormalWorld(light)) + " radius 90 falloff 90 tightness " + (isHard ? "0" : "1"); // the cosine at the lamp
     return "";
 }
 
@@ -199,8 +199,7 @@ std::vector<std::string> leftOutOfPov(const PlainScene& scene) {
     list.noNear();
     list.soften("the soft edge of the cone falls off along another curve; in picture 3 the cone ends where it ends here");
     list.lights([](const scene::Light& light) { return scene::hasArea(light); },
-                "in picture 0 its shadow has a penumbra, of 9 x 9 points; its strength falls off as that of a point at its centre, and for a rect without "
-                "the cosine at the lamp");
+                "in picture 0 its shadow has a penumbra, of 9 x 9 points; its strength falls off as that of a point at its centre");
     list.materials([](const PlainMaterial& m) { return shines(m) && m.values.emits == scene::EmittingSides::front; }, "shines from both sides");
     list.materials(hasHighlight, "the highlight has no colour and no cosine");
     list.materials(isBlurred, "mirrors and glass are clear, rays are not spread");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/foreign/export/readme.h"
 
+#include <algorithm>
+
 #include "app/foreign/export/numbers.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
@@ -62,8 +64,8 @@ std::string judgeText(const Format& format, const PlainScene& plain, const std::
     const std::string& light = plain.lights.front().name;
     const std::string name = shellWord(light);
     std::string text_ = "## How it is judged\n\n"
-                        "Visibility is asked for one light at a time, at the centre of a light with an area. A surface that the light shines on from "
-                        "behind, as the eye sees it, has none: that is decided by the triangle, not by shading normals.\n\n"
+                        "Visibility is asked for one light at a time. A surface that the light shines on from behind, as the eye sees it, has none: that "
+                        "is decided by the triangle, not by shading normals.\n\n"
                         "    shadowlab judge " + shellWord("visibility-" + light + ".png") + " " + scene + " --light " + name +
                         " --calibration calibration.png\n";
     if (format.drawsUnshadowed)
@@ -73,6 +75,9 @@ std::string judgeText(const Format& format, const PlainScene& plain, const std::
                  "alone, and beside it the same without: where it is darker, there is shadow. Neither is antialiased.\n\n";
     else
         text_ += "\nIt takes a picture that is white where the light is seen and black in shadow.\n\n";
+    if (std::ranges::any_of(plain.lights, scene::hasArea))
+        text_ += "Of a light with an area `judge` asks which share of the area is seen. The pictures above take such a light for a point at its centre, so in "
+                 "its penumbras the two differ.\n\n";
     return text_;
 }
 
