@@ -28,6 +28,7 @@ IDEAS = {
     "report": "speed against error",
     "course": "lessons, decks, slides",
     "student": "plug-ins and grading",
+    "foreign": "other renderers' pictures",
     "lab": "what the window shows, as values",
     "film": "frames that follow each other",
     "picture": "from a scene to finished pixels",

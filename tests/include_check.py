@@ -14,7 +14,7 @@ from pathlib import Path, PurePosixPath
 CPP_ENDINGS = {".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".inl", ".in"}
 SHADER_ENDINGS = {".glsl", ".vert", ".frag", ".geom"}
 # The rooms of app/, the lowest first: a room includes only those before it. "main" is main.cpp; nothing includes it.
-APP_ORDER = ("context", "drawing", "figures", "judge", "picture", "film", "lab", "student", "course", "report", "hard", "window", "cli",
+APP_ORDER = ("context", "drawing", "figures", "judge", "picture", "film", "lab", "foreign", "student", "course", "report", "hard", "window", "cli",
              "main")
 # What the lower folders of the foundation leave alone, of its other folders.
 FOUNDATION_WITHOUT = {"math": {"scene", "image", "params", "trace", "gl"}, "image": {"scene"}, "params": {"scene"}}

@@ -12,7 +12,7 @@ struct ExitMeaning {
 
 inline constexpr std::array kExitMeanings{
     ExitMeaning{"0", "done"},
-    ExitMeaning{"1", "judged, and found wanting (grade, report --hard)"},
+    ExitMeaning{"1", "judged, and found wanting (grade, judge, report --hard)"},
     ExitMeaning{"2", "the command line is wrong"},
     ExitMeaning{"3", "an input is missing or wrong, or a lesson does not hold (lesson --measure)"},
     ExitMeaning{"4", "an output cannot be written"},

@@ -61,7 +61,7 @@ TEST_F(FaultsTest, SmallestFileSizeUnderFoldersOfOutputs) {
     for (const Words& words :
          {Words{"slides", "shadows", "--only", "shadows", "--size", "640x360", "-o", "out"},
           Words{"report", "box.json", "--quick", "-o", "out"}, Words{"new-technique", "my-own", "-o", "out"},
-          Words{"pack", "still-life", "-o", "out"}}) {
+          Words{"pack", "still-life", "-o", "out"}, Words{"export", "still-life", "-o", "out", "--to", "mitsuba"}}) {
         const ProgramResult refused = run(words, smallFiles);
         expectOneLine(refused, 4, {"file too large"});
         EXPECT_EQ(refused.err.find(".tmp."), std::string::npos) << "names a place that is gone: " << refused.err;

@@ -128,5 +128,6 @@ OUTPUTS = [
     refused("a report into a file", ["report", "s.json", "-t", "unshadowed", "--quick", "--size", "32x24", "-o", "s.json"], 4, "s.json"),
     refused("slides into a file", ["slides", "-o", "s.json"], 4, "s.json"),
     refused("a scene packed into a folder that is there", ["pack", "s.json", "-o", "here"], 4, "here", files={"here/inner": ""}),
+    refused("a scene exported into a folder that is there", ["export", "s.json", "-o", "here", "--to", "gltf"], 4, "here", files={"here/inner": ""}),
     refused("a new technique in a folder that is there", ["new-technique", "here"], 4, "here", files={"here/inner": ""}),
 ]

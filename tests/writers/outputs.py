@@ -51,6 +51,7 @@ LONG = SHORT + [
     Output("slides", ["slides", "deck.json", "--size", "640x360", "--supersample", "1", "-o", "FOLDER"], {"deck.html": "old"}, resumes=True),
     Output("technique", ["new-technique", "my-own", "-o", "FOLDER/my-own"], once=True),
     Output("packed scene", ["pack", "box.json", "-o", "FOLDER/packed"], once=True),
+    Output("exported scene", ["export", "box.json", "-o", "FOLDER/exported", "--to", "pov"], once=True),
     Output("merged report", ["report", "merge", "made/report", "-o", "FOLDER"], prepared_by=[[*REPORT, "made/report"]]),
     Output("window settings", ["window-settings", "FOLDER"], program="writer_trial"),
     Output("slide of the window", ["slide", "FOLDER"], {"slides.json": DECK.replace("box.json", "still-life")}, appends=True,

@@ -1,0 +1,17 @@
+// Where in a picture the calibration board is: its orientation, and its scale along both axes, to some hundredths.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "app/foreign/calibration_reading.h"
+
+namespace shadowlab::foreign {
+
+struct BoardMatch {
+    Orientation orientation;
+    dvec2 scale{1.0};    ///< of the picture put upright
+    double likeness = 0; ///< correlation, -1 to 1
+};
+
+/// The picture has the board's size. Tries scales from a half to two, and in square pictures turns by quarters.
+BoardMatch searchBoard(const image::Image& picture, const BoardLayout& board, ivec2 size);
+
+} // namespace shadowlab::foreign

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "app/foreign/calibration_board.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <glm/gtc/constants.hpp>
+
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/model/shapes.h"
+
+namespace shadowlab::foreign {
+
+namespace {
+
+/// The angles by which an object is turned about world x, then y, then z.
+dvec3 anglesDegrees(const dmat3& worldFromObject) {
+    // The matrix is Rz Ry Rx: its first column is (cos y cos z, cos y sin z, -sin y).
+    const double y = std::asin(std::clamp(-worldFromObject[0][2], -1.0, 1.0));
+    const double cosY = std::hypot(worldFromObject[0][0], worldFromObject[0][1]);
+    // Looking along x, turns about x and z are one: z keeps all of it.
+    constexpr double kGimbalLock = 1e-9;
+    const double x = cosY > kGimbalLock ? std::atan2(worldFromObject[1][2], worldFromObject[2][2]) : 0.0;
+    const double z = cosY > kGimbalLock ? std::atan2(worldFromObject[0][1], worldFromObject[0][0])
+                                        : std::atan2(-worldFromObject[1][0], worldFromObject[1][1]);
+    return glm::degrees(dvec3(x, y, z));
+}
+
+double distanceOf(const scene::Camera& camera) {
+    // Twice the near plane keeps rounding from clipping; the far plane clips in renderers that have one.
+    const double wanted = glm::length(camera.targetWorld - camera.positionWorld);
+    return std::min(std::max(wanted, 2 * camera.near), std::max(0.5 * camera.far, 1.01 * camera.near));
+}
+
+} // namespace
+
+std::vector<BoardPatch> BoardLayout::all() const {
+    std::vector<BoardPatch> patches(squares.begin(), squares.end());
+    patches.insert(patches.end(), wedge.begin(), wedge.end());
+    patches.insert(patches.end(), channels.begin(), channels.end());
+    return patches;
+}
+
+BoardLayout boardLayout(ivec2 size) {
+    const int least = std::min(size.x, size.y);
+    if (least < kLeastBoardSide)
+        throw Error(ExitStatus::badInput, "calibration: a picture of " + std::to_string(size.x) + " x " + std::to_string(size.y) +
+                                              " pixels is too small for the calibration board; use at least " +
+                                              std::to_string(kLeastBoardSide) + " pixels on each side");
+    const dvec2 whole(size);
+    BoardLayout board;
+    // The largest that leave the corners and the wedge free; steps of a fifth are seen at a glance.
+    constexpr std::array kSides{0.22, 0.17, 0.14, 0.11};
+    for (std::size_t i = 0; i < kSides.size(); ++i) {
+        const dvec2 corner(i % 2 == 0 ? -1 : 1, i < 2 ? -1 : 1);
+        board.squares[i] = {0.5 * whole + corner * dvec2(0.34, 0.32) * whole, dvec2(kSides[i] * least), kTurnedDegrees, dvec3(1.0)};
+    }
+    const auto between = [](double left, double right, double top, double bottom, const dvec3& radiance) {
+        const dvec2 from = glm::round(dvec2(left, top)), to = glm::max(glm::round(dvec2(right, bottom)), from + 1.0);
+        return BoardPatch{0.5 * (from + to), to - from, 0, radiance};
+    };
+    const double left = 0.25 * whole.x, step = 0.5 * whole.x / kWedge.size();
+    for (std::size_t i = 0; i < kWedge.size(); ++i)
+        board.wedge[i] = between(left + step * i, left + step * (i + 1), 0.42 * whole.y, 0.58 * whole.y, dvec3(kWedge[i]));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double start = (0.38 + 0.08 * static_cast<double>(i)) * whole.x;
+        board.channels[i] = between(start, start + 0.08 * whole.x, 0.66 * whole.y, 0.76 * whole.y,
+                                    {kChannelPatches[i][0], kChannelPatches[i][1], kChannelPatches[i][2]});
+    }
+    return board;
+}
+
+scene::Scene calibrationBoard(const scene::Camera& camera, ivec2 size) {
+    const BoardLayout board = boardLayout(size);
+    scene::Scene scene;
+    scene.name = "calibration";
+    scene.camera = camera;
+    const double distance = distanceOf(camera), halfHeight = distance * std::tan(glm::radians(camera.fovYDegrees) / 2);
+    const double metresPerPixel = 2 * halfHeight / size.y;
+    const dmat3 worldFromView = glm::transpose(dmat3(scene::viewFromWorld(camera)));
+    const std::vector<BoardPatch> patches = board.all();
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        const BoardPatch& patch = patches[i];
+        scene::Material material;
+        material.name = "patch-" + std::to_string(i + 1);
+        material.diffuse = vec3(0.0f);
+        material.emission = vec3(patch.radiance);
+        material.emits = scene::EmittingSides::both;
+        scene.materials.push_back(material);
+
+        // A quad lies in xz and faces +y; here its x runs to the right of the picture, turned, and its y toward the eye.
+        const double angle = glm::radians(patch.turnedDegrees);
+        const dvec3 right = worldFromView * dvec3(std::cos(angle), std::sin(angle), 0.0), towardEye = worldFromView[2];
+        const dmat3 worldFromQuad(right, towardEye, glm::cross(right, towardEye));
+        const dvec2 offsetPx = patch.centrePx - 0.5 * dvec2(size), sizeMetres = patch.sizePx * metresPerPixel;
+        scene::Object object;
+        object.name = material.name;
+        object.mesh = std::make_shared<scene::Mesh>(scene::makeQuad(sizeMetres));
+        object.partMaterials = {static_cast<std::uint32_t>(i)};
+        object.castsShadow = false;
+        object.source = {.shape = "quad " + scene::numberText(sizeMetres.x) + " " + scene::numberText(sizeMetres.y),
+                         .mesh = {},
+                         .node = {},
+                         .material = material.name,
+                         .normals = {},
+                         .rotateDegrees = anglesDegrees(worldFromQuad),
+                         .translateWorld = camera.positionWorld +
+                                           worldFromView * dvec3(offsetPx.x * metresPerPixel, -offsetPx.y * metresPerPixel, -distance)};
+        object.worldFromObject = scene::worldFromObjectOf(object.source);
+        scene.objects.push_back(std::move(object));
+    }
+    return scene;
+}
+
+} // namespace shadowlab::foreign

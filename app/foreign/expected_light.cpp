@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "app/foreign/expected_light.h"
+
+#include "techniques/foundation/scene/model/surface_color.h"
+#include "techniques/foundation/scene/query/shading.h"
+#include "techniques/foundation/trace/parallel.h"
+#include "techniques/foundation/trace/shading_normals.h"
+
+namespace shadowlab::foreign {
+
+ExpectedLight expectedLight(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light) {
+    const trace::EyeRays rays = tracer.eyeRays(camera, size);
+    const trace::ShadingNormals normals(tracer);
+    const scene::Scene& scene = tracer.scene();
+    const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    ExpectedLight expected{std::vector<vec3>(pixels, vec3(0.0f)), std::vector<vec3>(pixels, vec3(0.0f))};
+    trace::parallelFor(static_cast<std::size_t>(size.y), [&](std::size_t row) {
+        for (int x = 0; x < size.x; ++x) {
+            const trace::SurfacePoint point = tracer.eyePoint(rays, dvec2(x, row) + 0.5);
+            if (!point) continue;
+            const scene::Object& object = tracer.objectOf(point);
+            const std::uint32_t triangle = point.primitive - tracer.world().firstOfObject[tracer.world().objects[point.primitive]];
+            const scene::Material& material = scene::materialOfTriangle(scene, object, triangle);
+            const dvec3 diffuse(scene::diffuseAt(scene, object, triangle, point.barycentric()));
+            const dvec3 positionWorld = tracer.positionWorld(point);
+            const dvec3 toEyeWorld = glm::normalize(camera.positionWorld - positionWorld);
+            const dvec3 normalWorld = normals.towardWorld(toEyeWorld, point);
+            dvec3 remaining = dvec3(scene.ambient) * diffuse;
+            if (scene::shinesFrom(material, point.eyeOnFront)) remaining += dvec3(material.emission);
+            const std::size_t pixel = row * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+            for (int l = 0; l < static_cast<int>(scene.lights.size()); ++l) {
+                if (!tracer.facesLight(point, l)) continue;
+                const scene::Light& source = scene.light(l);
+                const dvec3 added = scene::irradiance(source, positionWorld, normalWorld) *
+                                    scene::reflectance(material, diffuse, normalWorld, scene::towardLightWorld(source, positionWorld), toEyeWorld);
+                if (l == light)
+                    expected.ofLight[pixel] = vec3(added);
+                else
+                    remaining += added;
+            }
+            expected.remaining[pixel] = vec3(remaining);
+        }
+    });
+    return expected;
+}
+
+} // namespace shadowlab::foreign

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "app/foreign/found_visibility.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/foreign/foreign_picture.h"
+
+namespace shadowlab::foreign {
+
+namespace {
+
+using trace::Visibility;
+
+bool facesTheLight(Visibility visibility) { return visibility == Visibility::lit || visibility == Visibility::shadowed; }
+
+/// What two pixels say of the light, in the channel that shows it best.
+struct PairedPixel {
+    double darker = 0;   ///< (R - P) / R
+    double expected = 0; ///< D / R in the scene's own shading
+    double levels = 0;   ///< of 255, that D is worth
+    bool isClipped = false;
+};
+
+PairedPixel paired(image::Color8 shaded, image::Color8 reference, const vec3& ofLight, const vec3& remaining, ToneCurve curve) {
+    const std::array p{shaded.r, shaded.g, shaded.b}, r{reference.r, reference.g, reference.b};
+    PairedPixel best;
+    best.isClipped = r[0] == 255 && r[1] == 255 && r[2] == 255;
+    for (int channel = 0; channel < 3; ++channel) {
+        const std::size_t c = static_cast<std::size_t>(channel);
+        const double whole = static_cast<double>(ofLight[channel] + remaining[channel]);
+        if (whole <= 0) continue;
+        const double share = static_cast<double>(ofLight[channel]) / whole, full = linearFrom(curve, r[c] / 255.0);
+        const double levels = r[c] - 255 * encodedWith(curve, full * (1 - share));
+        if (levels <= best.levels || (r[c] == 255 && !best.isClipped)) continue;
+        const double seen = linearFrom(curve, p[c] / 255.0);
+        best.levels = levels;
+        best.expected = share;
+        best.darker = full > 0 ? (full - seen) / full : 0;
+    }
+    return best;
+}
+
+picture::VisibilityImage emptyImage(ivec2 size) {
+    picture::VisibilityImage image;
+    image.width = size.x;
+    image.height = size.y;
+    image.greyAlpha.assign(2 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), 0);
+    return image;
+}
+
+/// The middle of (R - P) / R over D / R among pixels that have lost a good part of the light; 1 where there are too few.
+double strengthOf(const std::vector<PairedPixel>& pixels, const judge::Truth& truth) {
+    // Less is a pixel that is lit, or whose noise would decide; a foreign renderer's share is not half or twice that of the scene.
+    constexpr double kClearlyDarker = 0.4, kMost = 2;
+    constexpr std::size_t kEnough = 16;
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        if (facesTheLight(truth.visibility[i]) && pixels[i].levels >= 2 * kLeastLevels &&
+            pixels[i].darker > kClearlyDarker * pixels[i].expected)
+            ratios.push_back(pixels[i].darker / pixels[i].expected);
+    if (ratios.size() < kEnough) return 1;
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::ranges::nth_element(ratios, middle);
+    return std::clamp(*middle, 1 / kMost, kMost);
+}
+
+/// R over the radiance of the scene's own shading: the middle of all pixels that face the light and are not black.
+double exposureOf(const image::Image& reference, const judge::Truth& truth, const ExpectedLight& expected, ToneCurve curve) {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < truth.visibility.size(); ++i) {
+        const double whole = static_cast<double>(expected.ofLight[i].g + expected.remaining[i].g);
+        const std::uint8_t seen = reference.rgba[image::kChannels * i + 1];
+        if (facesTheLight(truth.visibility[i]) && whole > 0 && seen > kLeastLevels) ratios.push_back(linearFrom(curve, seen / 255.0) / whole);
+    }
+    if (ratios.empty()) return 1;
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::ranges::nth_element(ratios, middle);
+    return *middle;
+}
+
+/// Is the reference as dark as if the light did not reach it? `exposure`: see exposureOf().
+bool lacksLight(double referenceGreen, const vec3& ofLight, const vec3& remaining, double exposure) {
+    // Where most of the scene's light is the judged one, shading that differs by less than three is not taken for none.
+    constexpr double kLeastShare = 0.5, kGone = 0.75;
+    const double whole = static_cast<double>(ofLight.g + remaining.g), share = whole > 0 ? static_cast<double>(ofLight.g) / whole : 0;
+    return share >= kLeastShare && referenceGreen < exposure * whole * (1 - kGone * share);
+}
+
+} // namespace
+
+FoundVisibility fromVisibilityImage(const image::Image& picture, const judge::Truth& truth) {
+    FoundVisibility found{emptyImage(truth.size), std::vector<std::uint8_t>(truth.visibility.size(), 1)};
+    const bool saysWhere = hasTransparency(picture);
+    constexpr int kHalf = 128; // a pixel that is half covered may have its centre on either side
+    for (std::size_t i = 0; i < truth.visibility.size(); ++i) {
+        const std::uint8_t* const pixel = picture.rgba.data() + image::kChannels * i;
+        const bool covered = saysWhere ? pixel[3] >= kHalf : truth.visibility[i] != Visibility::noSurface;
+        found.image.greyAlpha[2 * i] = pixel[1];
+        found.image.greyAlpha[2 * i + 1] = covered ? 255 : 0;
+    }
+    return found;
+}
+
+FoundVisibility fromPair(const image::Image& shaded, const image::Image& reference, const judge::Truth& truth,
+                         const ExpectedLight& expected, ToneCurve curve) {
+    FoundVisibility found{emptyImage(truth.size), std::vector<std::uint8_t>(truth.visibility.size(), 0)};
+    std::vector<PairedPixel> pixels(truth.visibility.size());
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const int x = static_cast<int>(i % static_cast<std::size_t>(truth.size.x)), y = static_cast<int>(i / static_cast<std::size_t>(truth.size.x));
+        pixels[i] = paired(shaded.at(x, y), reference.at(x, y), expected.ofLight[i], expected.remaining[i], curve);
+    }
+    found.isSame.assign(pixels.size(), 0);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const std::size_t byte = image::kChannels * i;
+        bool same = true;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            same = same && std::abs(shaded.rgba[byte + channel] - reference.rgba[byte + channel]) < kLeastLevels / 2;
+        found.isSame[i] = same ? 1 : 0;
+    }
+    found.strength = strengthOf(pixels, truth);
+    const double exposure = exposureOf(reference, truth, expected, curve);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const bool surface = truth.visibility[i] != Visibility::noSurface;
+        found.image.greyAlpha[2 * i + 1] = surface ? 255 : 0;
+        if (!facesTheLight(truth.visibility[i])) {
+            found.isJudged[i] = 1; // no light to find: a pair cannot be wrong there
+            continue;
+        }
+        if (pixels[i].isClipped) ++found.clipped;
+        if (found.isSame[i] && lacksLight(linearFrom(curve, reference.rgba[image::kChannels * i + 1] / 255.0), expected.ofLight[i], expected.remaining[i], exposure)) {
+            found.isJudged[i] = 1; // grey stays 0
+            continue;
+        }
+        if (pixels[i].levels < kLeastLevels) {
+            ++found.notJudged;
+            continue;
+        }
+        found.isJudged[i] = 1;
+        const double added = std::min(found.strength * pixels[i].expected, 1.0);
+        const double visible = std::clamp(1 - pixels[i].darker / added, 0.0, 1.0);
+        found.image.greyAlpha[2 * i] = static_cast<std::uint8_t>(std::lround(255 * visible));
+    }
+    return found;
+}
+
+double greyShare(const image::Image& picture, const judge::Truth& truth) {
+    constexpr int kFromEnds = 13; // a twentieth
+    int greys = 0, all = 0;
+    for (std::size_t i = 0; i < truth.visibility.size(); ++i) {
+        if (!facesTheLight(truth.visibility[i])) continue;
+        const std::uint8_t* const pixel = picture.rgba.data() + image::kChannels * i;
+        if (pixel[3] < 128) continue;
+        ++all;
+        greys += pixel[1] > kFromEnds && pixel[1] < 255 - kFromEnds;
+    }
+    return all > 0 ? static_cast<double>(greys) / all : 0;
+}
+
+} // namespace shadowlab::foreign

@@ -1,0 +1,30 @@
+// A foreign picture held against the truth: the same numbers as of a technique (judge/slot_errors.h), and what is wrong with it.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+
+#include "app/foreign/diagnosis.h"
+#include "app/foreign/seen_encoding.h"
+#include "app/judge/slot_errors.h"
+
+namespace shadowlab::foreign {
+
+struct JudgedPicture {
+    judge::TruthOf truthOf = judge::TruthOf::centre;
+    judge::Truth truth; ///< with ties also where the picture cannot be judged
+    FoundVisibility found;
+    judge::SlotErrors errors; ///< ties are those of the truth alone
+    int core = 0;
+    std::optional<judge::Displacement> boundaryPx;
+    std::optional<SeenEncoding> encoding; ///< another than it should be
+    Diagnosis diagnosis;
+    [[nodiscard]] bool isRight() const {
+        return errors.judgement.counts.wrong() == 0 && errors.judgement.counts.stray == 0 && !encoding;
+    }
+};
+
+/// Judges by the light's centre, or by its area where it has one. `reference`: the picture without shadows; null: the picture is a
+/// visibility image. Both have that size. Throws Error (badInput), which names no file, where a picture is not what it should be.
+JudgedPicture judgePicture(const scene::Snapshot& scene, int light, const image::Image& picture, const image::Image* reference);
+
+} // namespace shadowlab::foreign

@@ -1,0 +1,254 @@
+// The calibration board as other renderers draw it, with every mistake that it is made for.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/foreign/calibration_reading.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/json/write_scene.h"
+#include "tests/cli/command_fixture.h"
+#include "tests/support/brute_force.h"
+
+namespace shadowlab::foreign {
+namespace {
+
+using testing::allTriangles;
+using testing::eyeWay;
+using testing::WorldTriangle;
+
+/// Another renderer, by its mistakes. Plain loops over triangles, none of the program's rays.
+struct Renderer {
+    int samples = 1;               ///< N x N a pixel, in its box
+    dvec2 centre{0.5, 0.5};        ///< of a pixel, from its upper left corner
+    double angleScale = 1;         ///< of the tangent of half the vertical angle of view
+    double aspectScale = 1;        ///< of the aspect
+    double rollDegrees = 0;        ///< of the camera
+    bool stepsOneLess = false;     ///< x / (width - 1)
+    ToneCurve curve = ToneCurve::srgb;
+    double exposure = 1;
+    dvec3 background{0.0};
+};
+
+image::Image drawn(const scene::Scene& board, ivec2 size, const Renderer& renderer = {}) {
+    const std::vector<WorldTriangle> triangles = allTriangles(board);
+    image::Image picture(size.x, size.y);
+    const scene::Camera& camera = board.camera;
+    const dvec3 forward = glm::normalize(camera.targetWorld - camera.positionWorld);
+    const dvec3 level = glm::normalize(glm::cross(forward, camera.upWorld));
+    const double roll = glm::radians(renderer.rollDegrees);
+    const dvec3 right = std::cos(roll) * level + std::sin(roll) * glm::cross(level, forward), up = glm::cross(right, forward);
+    const double halfHeight = std::tan(glm::radians(camera.fovYDegrees) / 2) * renderer.angleScale;
+    const double halfWidth = halfHeight * size.x / size.y * renderer.aspectScale;
+    // Only the triangles whose box of pixels holds the point are tried: the board is drawn a hundred times.
+    const auto radianceAt = [&](dvec2 pixel) {
+        const dvec2 share = renderer.stepsOneLess ? (pixel - 0.5) / dvec2(size - 1) : pixel / dvec2(size);
+        const dvec3 way = forward + (2 * share.x - 1) * halfWidth * right + (1 - 2 * share.y) * halfHeight * up;
+        for (const WorldTriangle& triangle : triangles) {
+            const auto hit = testing::meets(triangle, camera.positionWorld, way);
+            if (hit && hit->along > 0 && hit->inside >= 0) return dvec3(board.materials[board.objects[triangle.object].partMaterials[0]].emission);
+        }
+        return renderer.background;
+    };
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            dvec3 sum(0.0);
+            for (int i = 0; i < renderer.samples * renderer.samples; ++i) {
+                const dvec2 within = (dvec2(i % renderer.samples, i / renderer.samples) + 0.5) / static_cast<double>(renderer.samples) - 0.5;
+                sum += radianceAt(dvec2(x, y) + renderer.centre + within);
+            }
+            const auto byte = [&](double light) {
+                return static_cast<std::uint8_t>(std::lround(255 * encodedWith(renderer.curve, renderer.exposure * light)));
+            };
+            sum /= renderer.samples * renderer.samples;
+            picture.set(x, y, {byte(sum.r), byte(sum.g), byte(sum.b), 255});
+        }
+    return picture;
+}
+
+scene::Camera tiltedCamera() {
+    scene::Camera camera;
+    camera.positionWorld = {3, 2.5, 5};
+    camera.targetWorld = {0, 0.6, 0};
+    camera.fovYDegrees = 45;
+    return camera;
+}
+
+constexpr ivec2 kSize{320, 180};
+
+std::string said(const Calibration& found) {
+    std::string text;
+    for (const FoundFault& fault : found.faults)
+        text += std::string(toText(fault.fault)) + ": " + fault.what + "; " + fault.remedy + "\n";
+    return text;
+}
+
+/// Exactly that fault, and nothing else.
+void expectOnly(const Calibration& found, CalibrationFault fault, const std::string& words) {
+    ASSERT_EQ(found.faults.size(), 1u) << said(found);
+    EXPECT_EQ(found.faults[0].fault, fault) << said(found);
+    EXPECT_NE(found.faults[0].what.find(words), std::string::npos) << said(found);
+    EXPECT_FALSE(found.faults[0].remedy.empty());
+}
+
+class CalibrationTest : public ::testing::Test {
+protected:
+    scene::Camera camera = tiltedCamera();
+    scene::Scene board = calibrationBoard(camera, kSize);
+    Calibration read(const image::Image& picture) const { return readCalibration(picture, camera, kSize); }
+    Calibration readOf(const Renderer& renderer) const { return read(drawn(board, kSize, renderer)); }
+};
+
+TEST_F(CalibrationTest, ARightPictureIsRightWithOneSampleAndWithMany) {
+    for (const int samples : {1, 2, 4}) {
+        const Calibration found = readOf({.samples = samples});
+        EXPECT_TRUE(found.isRight()) << samples << "\n" << said(found);
+        ASSERT_TRUE(found.shiftPx);
+        // With one sample, a square's edge of 20 to 40 rows is known to a few hundredths.
+        EXPECT_LT(glm::length(*found.shiftPx), 0.05) << samples;
+        EXPECT_EQ(found.curve, ToneCurve::srgb);
+        EXPECT_NEAR(found.exposure, 1, 0.02);
+    }
+}
+
+TEST_F(CalibrationTest, IsRightFromEveryCameraAndInEverySize) {
+    int cases = 0;
+    for (const ivec2 size : {ivec2(64, 64), ivec2(120, 200), ivec2(256, 144), ivec2(300, 100)})
+        for (const double fov : {20.0, 45.0, 100.0})
+            for (const dvec3& target : {dvec3(0, 0.6, 0), dvec3(3, 9, 5.2), dvec3(3, 2.5, -60)}) {
+                scene::Camera from = camera;
+                from.fovYDegrees = fov;
+                from.targetWorld = target;
+                from.upWorld = {0.2, 1, 0.1};
+                const Calibration found = readCalibration(drawn(calibrationBoard(from, size), size), from, size);
+                EXPECT_TRUE(found.isRight()) << size.x << "x" << size.y << " " << fov << "\n" << said(found);
+                ++cases;
+            }
+    EXPECT_EQ(cases, 36);
+}
+
+TEST_F(CalibrationTest, ShiftsAreMeasuredToATenthOfAPixel) {
+    int cases = 0;
+    for (const int samples : {1, 3})
+        for (const dvec2& shift : {dvec2(0.5, 0.5), dvec2(-0.5, 0.5), dvec2(0.5, 0), dvec2(0, -0.5), dvec2(0.25, -0.3), dvec2(3, -2)}) {
+            const Calibration found = readOf({.samples = samples, .centre = dvec2(0.5) - shift});
+            ASSERT_TRUE(found.shiftPx);
+            EXPECT_LT(glm::length(*found.shiftPx - shift), 0.1) << shift.x << " " << shift.y;
+            expectOnly(found, CalibrationFault::shift, "shifted");
+            ++cases;
+        }
+    EXPECT_EQ(cases, 12);
+    expectOnly(readOf({.centre = {0, 0}}), CalibrationFault::shift, "0.5");
+}
+
+TEST_F(CalibrationTest, FlipsAndTurnsAreToldApart) {
+    const image::Image right = drawn(board, kSize);
+    const auto flipped = [&](bool x, bool y) { return putUpright(right, {.swapsAxes = false, .mirrorsX = x, .mirrorsY = y}); };
+    expectOnly(read(flipped(true, false)), CalibrationFault::orientation, "mirrored left to right");
+    expectOnly(read(flipped(false, true)), CalibrationFault::orientation, "upside down");
+    expectOnly(read(flipped(true, true)), CalibrationFault::orientation, "turned by 180 degrees");
+    const ivec2 square(128, 128);
+    const image::Image squarePicture = drawn(calibrationBoard(camera, square), square);
+    // Clockwise: what was at the left of the lower row is at the left of the upper one.
+    image::Image turned(128, 128);
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 128; ++x)
+            turned.set(127 - y, x, squarePicture.at(x, y));
+    expectOnly(readCalibration(turned, camera, square), CalibrationFault::orientation, "turned by 90 degrees clockwise");
+}
+
+TEST_F(CalibrationTest, AnotherSizeIsSaid) {
+    const Calibration found = read(drawn(calibrationBoard(camera, {180, 320}), {180, 320}));
+    expectOnly(found, CalibrationFault::size, "180 x 320");
+    expectOnly(read(image::Image(320, 179)), CalibrationFault::size, "320 x 179 pixels, not 320 x 180");
+}
+
+TEST_F(CalibrationTest, AnotherAngleOfViewOrAspectIsSaid) {
+    const double aspect = 320.0 / 180;
+    expectOnly(readOf({.angleScale = 1 / aspect}), CalibrationFault::view, "taken for the horizontal angle");
+    const Calibration wide = readOf({.angleScale = std::tan(glm::radians(25.0)) / std::tan(glm::radians(22.5))});
+    expectOnly(wide, CalibrationFault::view, "about 50.0");
+    expectOnly(readOf({.aspectScale = 1 / aspect}), CalibrationFault::view, "stretched");
+    expectOnly(readOf({.angleScale = 1.01}), CalibrationFault::view, "0.99");
+    expectOnly(readOf({.stepsOneLess = true}), CalibrationFault::view, "one pixel");
+    expectOnly(readOf({.rollDegrees = 1}), CalibrationFault::turn, "1.0");
+}
+
+TEST_F(CalibrationTest, EncodingsAreToldApartAtAnyExposure) {
+    int cases = 0;
+    for (const ToneCurve curve : kToneCurves)
+        for (const double exposure : {1.0, 0.6}) {
+            const Calibration found = readOf({.samples = 2, .curve = curve, .exposure = exposure});
+            EXPECT_EQ(found.curve, curve) << toText(curve) << " " << exposure << "\n" << said(found);
+            EXPECT_NEAR(found.exposure, exposure, 0.03);
+            if (curve == ToneCurve::srgb)
+                EXPECT_TRUE(found.isRight()) << said(found);
+            else
+                expectOnly(found, CalibrationFault::encoding, std::string(toText(curve)));
+            ++cases;
+        }
+    EXPECT_EQ(cases, 10);
+    // Reinhard's operator, as an example of a tone mapping.
+    image::Image mapped = drawn(board, kSize);
+    for (std::uint8_t& byte : mapped.rgba) {
+        const double light = image::linearFromEncoded(byte / 255.0) * 2;
+        byte = static_cast<std::uint8_t>(std::lround(255 * encodedWith(ToneCurve::srgb, light / (1 + light))));
+    }
+    expectOnly(read(mapped), CalibrationFault::encoding, "no curve");
+}
+
+TEST_F(CalibrationTest, ExchangedChannelsAreSaid) {
+    image::Image picture = drawn(board, kSize);
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) std::swap(picture.rgba[i], picture.rgba[i + 2]);
+    expectOnly(read(picture), CalibrationFault::channels, "red and blue exchanged");
+}
+
+TEST_F(CalibrationTest, FaultsThatComeTogetherAreAllSaid) {
+    const image::Image picture = putUpright(drawn(board, kSize, {.centre = {0, 0}, .curve = ToneCurve::linear}),
+                                            {.swapsAxes = false, .mirrorsX = false, .mirrorsY = true});
+    const Calibration found = read(picture);
+    ASSERT_EQ(found.faults.size(), 3u) << said(found);
+    EXPECT_EQ(found.faults[0].fault, CalibrationFault::orientation);
+    EXPECT_EQ(found.faults[1].fault, CalibrationFault::shift);
+    EXPECT_EQ(found.faults[2].fault, CalibrationFault::encoding);
+}
+
+TEST_F(CalibrationTest, WhatIsNoBoardIsSaid) {
+    expectOnly(read(image::Image(320, 180, {128, 128, 128, 255})), CalibrationFault::notTheBoard, "does not look like");
+    image::Image ramp(320, 180);
+    for (int y = 0; y < 180; ++y)
+        for (int x = 0; x < 320; ++x) {
+            const auto grey = static_cast<std::uint8_t>((x * 7 + y * 13 + (x * y) % 31 * 8) % 256);
+            ramp.set(x, y, {grey, grey, grey, 255});
+        }
+    expectOnly(read(ramp), CalibrationFault::notTheBoard, "does not look like");
+}
+
+TEST_F(CalibrationTest, AGreyBackgroundChangesNothing) {
+    const Calibration found = readOf({.background = dvec3(0.05)});
+    EXPECT_TRUE(found.isRight()) << said(found);
+}
+
+TEST_F(CalibrationTest, TooSmallAPictureIsRefused) {
+    EXPECT_THROW(calibrationBoard(camera, {63, 200}), Error);
+    EXPECT_NO_THROW(calibrationBoard(camera, {64, 64}));
+}
+
+class CapturedBoardTest : public testing::CommandTest {};
+
+TEST_F(CapturedBoardTest, TheProgramsOwnCaptureIsRight) {
+    const scene::Camera camera = tiltedCamera();
+    const scene::Scene board = calibrationBoard(camera, kSize);
+    folder.write("calibration.json", scene::sceneText(board, board.camera, folder.path()));
+    for (const std::string samples : {"1", "4"}) {
+        succeed({"capture", "calibration.json", "-o", "board.png", "--size", "320x180", "--labels", "false", "-t", "unshadowed",
+                 "--supersample", samples});
+        const Calibration found = readCalibration(testing::decoded(testing::fileContent(folder.path() / "board.png")).image, camera, kSize);
+        EXPECT_TRUE(found.isRight()) << said(found);
+        ASSERT_TRUE(found.shiftPx);
+        EXPECT_LT(glm::length(*found.shiftPx), 0.05);
+    }
+}
+
+} // namespace
+} // namespace shadowlab::foreign

@@ -1,0 +1,150 @@
+// Pictures of a renderer of another make (foreign_renderer.h) held against the truth: right ones have no wrong pixel, and each mistake is
+// called by its name, in visibility images and in shaded pictures, on every scene.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "app/foreign/judged_picture.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "tests/foreign/foreign_renderer.h"
+#include "tests/foundation/scene/scene_files.h"
+
+namespace shadowlab::foreign {
+namespace {
+
+using foreign_renderer::Curve;
+using foreign_renderer::Method;
+using foreign_renderer::Pictures;
+using foreign_renderer::Settings;
+
+image::Image imageOf(const foreign_renderer::Picture& picture) {
+    image::Image image(picture.width, picture.height);
+    for (std::size_t i = 0; i < picture.grey.size(); ++i)
+        for (std::size_t channel = 0; channel < 4; ++channel)
+            image.rgba[4 * i + channel] = channel == 3 ? 255 : picture.grey[i];
+    return image;
+}
+
+struct Staged {
+    foreign_renderer::Scene own;
+    scene::Snapshot scene;
+};
+
+/// The scenes, each loaded by the program from the files that are written for it.
+const std::vector<Staged>& staged() {
+    static const std::vector<Staged> all = [] {
+        std::vector<Staged> made;
+        for (foreign_renderer::Scene& own : foreign_renderer::scenes()) {
+            const scene::TempFolder folder;
+            for (const auto& [name, content] : foreign_renderer::filesOf(own))
+                folder.write(name, content);
+            scene::Snapshot loaded = scene::loadScene((folder.path() / "scene.json").string(), {});
+            made.push_back({std::move(own), std::move(loaded)});
+        }
+        return made;
+    }();
+    return all;
+}
+
+std::string said(const JudgedPicture& judged) {
+    const judge::Counts& counts = judged.errors.judgement.counts;
+    std::string text = "false lit " + std::to_string(counts.falseLit) + ", false shadow " + std::to_string(counts.falseShadow) + ", core " + std::to_string(judged.core) +
+                       ", ties " + std::to_string(counts.ties) + ", not judged " + std::to_string(judged.found.notJudged) + "\n";
+    for (const NamedCause& cause : judged.diagnosis.causes)
+        text += "  " + cause.id + " (" + std::to_string(cause.explained) + ", " + std::to_string(cause.explainedInRegion) + "): " + cause.what + "\n";
+    return text;
+}
+
+JudgedPicture judgedVisibility(const Staged& stage, const Pictures& pictures) { return judgePicture(stage.scene, 0, imageOf(pictures.visibility), nullptr); }
+JudgedPicture judgedPair(const Staged& stage, const Pictures& pictures) {
+    const image::Image reference = imageOf(pictures.unshadowed);
+    return judgePicture(stage.scene, 0, imageOf(pictures.shaded), &reference);
+}
+
+struct Mistake {
+    const char* name;
+    const char* cause; ///< id of what is to be named first
+    Settings settings;
+};
+
+/// Bias 0, bias 10 cm, no front cap, light shifted by 1 cm, half-pixel shift, flipped picture, 128 texels, back faces missing, wrong
+/// winding; the wrong gamma has a test of its own.
+std::vector<Mistake> mistakes() {
+    Settings acne, bias, cap, light, half, flipped, coarse, backs, winding;
+    acne.method = Method::map;
+    bias.method = Method::map, bias.bias = 0.1, bias.texels = 2048;
+    cap.method = Method::zfail, cap.frontCap = false;
+    light.lightOffset = {0.01, 0, 0};
+    half.centre = 0;
+    flipped.flipRows = true;
+    coarse.method = Method::map, coarse.texels = 128, coarse.bias = 0.03;
+    backs.cullsCasters = true;
+    winding.cullsCasters = true, winding.cullsView = true, winding.reversed = true;
+    return {{"bias 0", "acne", acne}, {"bias 10 cm", "peter-panning", bias}, {"no front cap", "missing-front-cap", cap},
+            {"light shifted by 1 cm", "light-displaced", light}, {"half a pixel", "shift", half}, {"flipped", "flipped", flipped},
+            {"128 texels", "resolution", coarse}, {"back faces missing", "back-faces-missing", backs}, {"wrong winding", "wrong-winding", winding}};
+}
+
+void expectNamed(const JudgedPicture& judged, const char* cause, const std::string& where) {
+    ASSERT_FALSE(judged.diagnosis.causes.empty()) << where << "\n" << said(judged);
+    EXPECT_EQ(judged.diagnosis.causes.front().id, cause) << where << "\n" << said(judged);
+    EXPECT_TRUE(judged.diagnosis.region);
+    EXPECT_FALSE(judged.isRight());
+}
+
+TEST(ForeignJudgeTest, TheRightRendererHasNoWrongPixelOutsideTies) {
+    int cases = 0;
+    for (const Staged& stage : staged())
+        for (const Method method : {Method::rays, Method::zfail}) {
+            Settings settings;
+            settings.method = method;
+            const Pictures pictures = foreign_renderer::render(stage.own, settings);
+            for (const JudgedPicture& judged : {judgedVisibility(stage, pictures), judgedPair(stage, pictures)}) {
+                EXPECT_TRUE(judged.isRight()) << stage.own.name << "\n" << said(judged);
+                EXPECT_GT(judged.errors.judgement.counts.lit, 5000);
+                EXPECT_GT(judged.errors.judgement.counts.shadowed, 1000);
+                EXPECT_LT(judged.errors.judgement.counts.ties, 300);
+                ++cases;
+            }
+        }
+    EXPECT_EQ(cases, 12);
+}
+
+TEST(ForeignJudgeTest, EachMistakeIsNamedInVisibilityImages) {
+    int cases = 0;
+    for (const Staged& stage : staged())
+        for (const Mistake& mistake : mistakes()) {
+            expectNamed(judgedVisibility(stage, foreign_renderer::render(stage.own, mistake.settings)), mistake.cause, stage.own.name + ", " + mistake.name);
+            ++cases;
+        }
+    EXPECT_EQ(cases, 27);
+}
+
+TEST(ForeignJudgeTest, EachMistakeIsNamedInShadedPictures) {
+    int cases = 0;
+    for (const Staged& stage : staged())
+        for (const Mistake& mistake : mistakes()) {
+            expectNamed(judgedPair(stage, foreign_renderer::render(stage.own, mistake.settings)), mistake.cause, stage.own.name + ", " + mistake.name);
+            ++cases;
+        }
+    EXPECT_EQ(cases, 27);
+}
+
+TEST(ForeignJudgeTest, AWrongGammaIsSeenInShadedPictures) {
+    int cases = 0;
+    for (const Staged& stage : staged())
+        for (const auto& [curve, named] : {std::pair(Curve::linear, ToneCurve::linear), std::pair(Curve::twice, ToneCurve::doubleSrgb)}) {
+            Settings settings;
+            settings.curve = curve;
+            const JudgedPicture judged = judgedPair(stage, foreign_renderer::render(stage.own, settings));
+            ASSERT_TRUE(judged.encoding) << stage.own.name << "\n" << said(judged);
+            EXPECT_EQ(judged.encoding->curve, named) << stage.own.name;
+            EXPECT_FALSE(judged.isRight());
+            // Read with the curve that was found, the shadows are right.
+            EXPECT_EQ(judged.errors.judgement.counts.wrong(), 0) << stage.own.name << "\n" << said(judged);
+            ++cases;
+        }
+    EXPECT_EQ(cases, 6);
+}
+
+} // namespace
+} // namespace shadowlab::foreign

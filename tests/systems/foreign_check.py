@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+"""Scenes are exported, drawn by other renderers, and their pictures judged: Blender (Cycles), POV-Ray, and three.js in Chromium.
+
+foreign_check.py PROGRAM [--scene WORD] [--to FORMAT] [--three FOLDER] [--keep FOLDER]
+
+Every light of every scene is drawn twice by each renderer: as an image of its visibility, and as a shaded picture beside the same without
+shadows. `judge` holds both against the truth, after it has held the renderer's picture of the calibration board against the board. Cycles and
+POV-Ray send rays, so none of their pixels may be misjudged outside ties. three.js has shadow maps, whose boundaries are where their
+texels have them.
+
+three.js comes from the npm registry into a temporary folder, or from FOLDER (its build/). A renderer that is not installed is left out
+with a line that says so. Ends with 77 (skipped) without SHADOWLAB_LONG in the environment or without any of the renderers; with 1 where
+something is over its bound."""
+# SPDX-License-Identifier: MIT
+import argparse
+import base64
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SKIPPED = 77
+SIZE = "320x180"
+LIGHTS = {"still-life": ("key",), "three-lights": ("left", "middle", "right"), "colonnade": ("sun",), "lattice": ("sun",),
+          "hung-ring": ("sun",), "room-with-lamps": ("spot",)}
+# Beside lights with an area, which three.js takes for points without a cosine, the share of a third one is another.
+VISIBILITY_ALONE = ("room-with-lamps",)
+PICTURES = ("visibility", "shaded", "unshadowed")
+THREE_VERSION = "0.187"
+# Of the pixels with a surface, how many a shadow map may misjudge. In the colonnade one map of 4096 texels has to cover 26 m, and the
+# flutes of the columns are a few of its texels deep.
+LEAST_RIGHT_OF_MAPS = 0.985
+# One pixel of the lattice, whose shadow ray passes the rim of the sheet that an image cuts: POV-Ray lets it through.
+ALLOWED = {("lattice", "pov"): 1}
+LONGEST = 1200  # seconds, for one command
+
+
+def run(words, folder=None, allowed=(0,)):
+    done = subprocess.run([str(word) for word in words], cwd=folder, capture_output=True, text=True, errors="replace", check=False, timeout=LONGEST)
+    if done.returncode not in allowed:
+        raise SystemExit(f"{' '.join(map(str, words))}\nended with {done.returncode}: {done.stdout[-2000:]}{done.stderr[-2000:]}")
+    return done.stdout
+
+
+class Blender:
+    name, format = "Cycles", "blender"
+    misses = "blender is not installed"
+
+    @staticmethod
+    def is_there(_):
+        return bool(shutil.which("blender"))
+
+    def draw(self, folder, stem, picture, light, _number, output):
+        words = ["--picture", picture, "--light", light] if light else []
+        run(["blender", "-b", "--factory-startup", "--python-exit-code", "3", "--python", folder / f"{stem}.py", "--", *words, "--size", SIZE, "-o", output])
+
+
+class PovRay:
+    name, format = "POV-Ray", "pov"
+    misses = "povray is not installed"
+    NUMBERS = {"look": 0, "shaded": 1, "unshadowed": 2, "visibility": 3}
+
+    @staticmethod
+    def is_there(_):
+        return bool(shutil.which("povray"))
+
+    def draw(self, folder, stem, picture, _light, number, output):
+        width, height = SIZE.split("x")
+        alpha = ["+UA"] if picture == "visibility" else []
+        run(["povray", f"+W{width}", f"+H{height}", "-D", "-A", "+FN16", "File_Gamma=srgb", *alpha, f"+I{stem}.pov",
+             f"Declare=Picture={self.NUMBERS[picture]}", f"Declare=Light={number}", f"+O{output}"], folder)
+
+
+class Three:
+    name, format = "three.js", "three"
+    misses = "chromium is not installed, or three.js cannot be had by npm"
+
+    @staticmethod
+    def is_there(words):
+        return bool(shutil.which("chromium")) and words.three is not None
+
+    def draw(self, folder, stem, picture, light, _number, output):
+        query = f"?picture={picture}&size={SIZE}" + (f"&light={light}" if light else "")
+        page = run(["chromium", "--headless", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                    "--virtual-time-budget=60000", "--dump-dom", f"file://{folder / stem}.html{query}"])
+        found = re.search(r'href="data:image/png;base64,([^"]*)"', page)
+        if not found:
+            said = re.search(r'<p id="message">([^<]*)', page)
+            raise SystemExit(f"three.js: {stem}.html{query} has drawn nothing: {said.group(1) if said else page[:500]}")
+        output.write_bytes(base64.b64decode(found.group(1)))
+
+
+def judged(program, picture, scene, light, *further):
+    answer = run([program, "judge", picture, scene, "--light", light, *further, "--json"], allowed=(0, 1, 3))
+    return json.loads(answer)
+
+
+def complaints_about(renderer, scene, program, folder, three):
+    """Draws all pictures of one scene, and prints a line for each light."""
+    exported = folder / f"{scene}-{renderer.format}"
+    module = ["--three-module", three / "three.module.js"] if renderer.format == "three" else []
+    run([program, "export", scene, "-o", exported, "--to", renderer.format, "--size", SIZE, *module])
+    board = exported / "calibration.png"
+    renderer.draw(exported, "calibration", "look", None, 0, board)
+    for number, light in enumerate(LIGHTS[scene], 1):  # in the order of the scene
+        pictures = PICTURES[:1] if scene in VISIBILITY_ALONE else PICTURES
+        files = {picture: exported / f"{picture}-{light}.png" for picture in pictures}
+        for picture, file in files.items():
+            renderer.draw(exported, "scene", picture, light, number, file)
+        answers = {"visibility": judged(program, files["visibility"], scene, light, "--calibration", board)}
+        if "shaded" in files:
+            answers["a pair"] = judged(program, files["shaded"], scene, light, "--reference", files["unshadowed"], "--calibration", board)
+        for kind, answer in answers.items():
+            if not answer["calibration"]["right"]:
+                yield f"{renderer.name}, {scene}: the calibration is wrong: {answer['calibration']['faults']}"
+                return
+            numbers = answer["judged"]
+            wrong = numbers["falseLit"] + numbers["falseShadow"]
+            print(f"| {scene} | {light} | {renderer.name} | {kind} | {numbers['pixels']} | {numbers['ties']} | {numbers['notJudged']} | "
+                  f"{numbers['falseLit']} | {numbers['falseShadow']} | {numbers['coreErrors']} |", flush=True)
+            allowed = (1 - LEAST_RIGHT_OF_MAPS) * numbers["pixels"] if renderer.format == "three" else ALLOWED.get((scene, renderer.format), 0)
+            if wrong > allowed:
+                yield f"{renderer.name}, {scene}, light {light}, {kind}: {wrong} pixels are misjudged outside ties"
+            if numbers["lit"] < 1000 or numbers["shadowed"] < 100:
+                yield f"{scene}, light {light}: too little is lit or in shadow to prove anything"
+
+
+def three_from_npm(folder):
+    """The folder of three.module.js; None where npm or the registry is not there."""
+    if not shutil.which("npm"):
+        return None
+    done = subprocess.run(["npm", "install", "--no-audit", "--no-fund", "--prefix", str(folder), f"three@{THREE_VERSION}"], capture_output=True, check=False,
+                          timeout=LONGEST)
+    return folder / "node_modules/three/build" if done.returncode == 0 else None
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program", type=Path)
+    parser.add_argument("--scene", default="", help="only those with that word in their name")
+    parser.add_argument("--to", default="", help="only that format")
+    parser.add_argument("--three", type=Path, help="the folder of three.module.js, in place of npm's")
+    parser.add_argument("--keep", type=Path, help="where everything is written")
+    words = parser.parse_args()
+    if not os.environ.get("SHADOWLAB_LONG"):
+        print("skipped: it takes SHADOWLAB_LONG in the environment")
+        return SKIPPED
+    complaints = []
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = (words.keep or Path(temporary)).resolve()
+        folder.mkdir(parents=True, exist_ok=True)
+        if words.three is None and words.to in ("", "three"):
+            words.three = three_from_npm(folder / "npm")
+        renderers = [renderer for renderer in (Blender(), PovRay(), Three()) if words.to in ("", renderer.format)]
+        for renderer in renderers:
+            if not renderer.is_there(words):
+                print(f"left out: {renderer.name}, for {renderer.misses}")
+        renderers = [renderer for renderer in renderers if renderer.is_there(words)]
+        if not renderers:
+            print("skipped: none of the renderers is there")
+            return SKIPPED
+        scenes = [scene for scene in LIGHTS if words.scene in scene]
+        assert scenes, f"no scene is called {words.scene}"
+        print("| scene | light | renderer | judged by | pixels | ties | not judged | false lit | false shadow | core errors |\n"
+              "|---|---|---|---|---|---|---|---|---|---|")
+        for scene in scenes:
+            for renderer in renderers:
+                complaints += complaints_about(renderer, scene, words.program.resolve(), folder, words.three)
+    print("\n" + "\n".join(complaints or ["all within their bounds"]))
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
