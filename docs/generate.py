@@ -36,7 +36,7 @@ DOCS = ROOT / "docs"
 IMAGES = DOCS / "images"
 # Pages that are about no technique, by who looks for them; what is not listed here stands last.
 PAGES = {
-    "To use it": ["packages", "window", "measuring", "report", "performance", "pixel", "outside", "export", "source", "sequences", "errors",
+    "To use it": ["packages", "window", "measuring", "judge", "report", "performance", "pixel", "outside", "export", "source", "sequences", "errors",
                   "shadow-map-filters"],
     "To teach with it": ["teaching", "lecture", "exercises", "decks", "lessons", "hard-cases"],
     "To build on": ["tour", "conventions", "scene_format", "gltf", "adding_a_technique", "plugins", "relations", "systems"],

@@ -10,7 +10,7 @@ namespace shadowlab::foreign {
 namespace {
 
 // Enough for a share to be known to one in a hundred, few enough for a hundred rules to be tried within seconds.
-constexpr std::size_t kMostOfAKind = 4000;
+constexpr std::size_t kMostOfAKind = 2500;
 constexpr float kNearBoundaryPx = 8;
 
 /// Every n-th of them, so that no more than kMostOfAKind remain; each stands for n pixels.
@@ -45,6 +45,20 @@ void chooseSamples(Evidence& evidence) {
     for (const auto* const pixels : {&wrong, &nearby, &elsewhere})
         takeSome(*pixels, evidence, evidence.samples);
     evidence.wrong = static_cast<double>(wrong.size());
+}
+
+Evidence thinned(const Evidence& evidence) {
+    constexpr std::size_t kEvery = 3;
+    Evidence some = evidence;
+    some.samples.clear();
+    some.wrong = 0;
+    for (std::size_t i = 0; i < evidence.samples.size(); i += kEvery) {
+        some.samples.push_back(evidence.samples[i]);
+        if (evidence.samples[i].isWrong()) some.wrong += evidence.samples[i].weight;
+    }
+    // A few wrong samples are all needed.
+    constexpr double kFew = 100;
+    return some.wrong < kFew ? evidence : some;
 }
 
 Predictions predictAll(const Evidence& evidence, const std::function<Prediction(const Sample&)>& rule) {

@@ -49,12 +49,17 @@ void addMovedLight(const Evidence& evidence, std::vector<Cause>& causes) {
             moved.positionWorld += dvec3(by[0], by[1], by[2]);
         return moved;
     };
-    const auto costOf = [&](const std::vector<double>& by) { return -explained(evidence, withLight(evidence, movedBy(by), casts)); };
+    const Evidence some = thinned(evidence);
+    const auto costOf = [&](const std::vector<double>& by) { return -explained(some, withLight(some, movedBy(by), casts)); };
     // From a sixteenth of the distance, by which shadows move visibly, to what moves them by less than a hundredth of a pixel.
     const double unit = directional ? 1.0 : std::max(distance, 1e-6);
     const std::vector<double> by = patternSearch(std::vector<double>(directional ? 2 : 3, 0.0), unit / 16, unit / 8192, costOf);
     Cause cause{"light-displaced", "", "", withLight(evidence, movedBy(by), casts)};
     const double found = explained(evidence, cause.predictions);
+    // A light far away from its place explains much by chance, and one behind a wall makes all dark.
+    constexpr double kPlausible = 0.1; // of the distance
+    cause.likelihood = std::hypot(by[0], by[1], by.back()) < kPlausible * unit ? 0.98 : 0.75;
+    if (std::ranges::none_of(cause.predictions, [](Prediction one) { return one == Prediction::lit; })) return;
     if (directional) {
         const double degrees = glm::degrees(std::hypot(by[0], by[1]));
         const dvec3 way = movedBy(by).directionWorld;
@@ -75,6 +80,8 @@ void addMovedLight(const Evidence& evidence, std::vector<Cause>& causes) {
 /// What stands in the light's way, in metres from the point and from the light.
 struct Obstacles {
     double farthestFromPoint = kNever; ///< of the obstacle nearest to the light; none: nothing stands there
+    double nearestToPoint = kNever;    ///< from the point
+    bool ofOthers = false;             ///< does any belong to another object than the point's?
     double nearestToLight = kNever;    ///< from the light, of the obstacle nearest to the point
 };
 
@@ -89,6 +96,9 @@ std::vector<Obstacles> obstaclesOf(const Evidence& evidence) {
         if (met.empty()) return Prediction::none;
         const double metres = metresPerT(ray, evidence.source());
         own.farthestFromPoint = met.back().t * metres;
+        const std::vector<std::uint32_t>& objects = evidence.tracer.world().objects;
+        own.ofOthers = std::ranges::any_of(met, [&](const Crossing& one) { return objects[one.primitive] != objects[sample.point.primitive]; });
+        own.nearestToPoint = met.front().t * metres;
         if (std::isfinite(ray.farthest)) own.nearestToLight = (1 - met.front().t) * metres;
         return Prediction::none;
     });
@@ -127,10 +137,11 @@ void addBias(const Evidence& evidence, const std::vector<Obstacles>& obstacles, 
 }
 
 void addRange(const Evidence& evidence, const std::vector<Obstacles>& obstacles, std::vector<Cause>& causes) {
-    std::vector<double> nearLight, fromLight, fromEye;
+    std::vector<double> nearLight, fromLight, fromEye, fromCaster;
     for (std::size_t i = 0; i < obstacles.size(); ++i) {
         const Sample& sample = evidence.samples[i];
         nearLight.push_back(obstacles[i].nearestToLight);
+        fromCaster.push_back(std::isfinite(obstacles[i].nearestToPoint) ? -obstacles[i].nearestToPoint : kNever);
         const bool shaded = sample.point && std::isfinite(obstacles[i].farthestFromPoint);
         const dvec3 positionWorld = shaded ? evidence.tracer.positionWorld(sample.point) : dvec3(0.0);
         // Negative: the farthest are lit first.
@@ -150,7 +161,19 @@ void addRange(const Evidence& evidence, const std::vector<Obstacles>& obstacles,
     };
     add(nearLight, "near-plane-of-light", "casters within ", " of the light cast no shadow", "move the near plane of the shadow map nearer to the light");
     add(fromLight, "range-of-light", "nothing farther than ", " from the light is in shadow", "move the far plane of the shadow map, or end the volumes at infinity");
+    add(fromCaster, "volumes-end", "no shadow is longer than ", " behind its caster", "extend the volumes to infinity, or at least as far as the receivers");
     add(fromEye, "range-of-view", "nothing farther than ", " from the eye is in shadow", "raise the distance up to which shadows are drawn");
+}
+
+void addSelfShadows(const Evidence& evidence, const std::vector<Obstacles>& obstacles, std::vector<Cause>& causes) {
+    Cause cause{"self-shadows-missing", "", "test each surface against all casters, its own object included, and leave out nothing but the triangle itself", {}};
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+        const Sample& sample = evidence.samples[i];
+        const bool isOwn = std::isfinite(obstacles[i].farthestFromPoint) && !obstacles[i].ofOthers;
+        cause.predictions.push_back(predicted(sample.shouldBeLit || isOwn));
+    }
+    cause.what = "objects cast no shadow on themselves: this explains " + shareText(explained(evidence, cause.predictions)) + " of the wrong pixels";
+    addIfExplains(evidence, std::move(cause), causes);
 }
 
 } // namespace
@@ -160,6 +183,7 @@ void addLightCauses(const Evidence& evidence, std::vector<Cause>& causes) {
     const std::vector<Obstacles> obstacles = obstaclesOf(evidence);
     addBias(evidence, obstacles, causes);
     addRange(evidence, obstacles, causes);
+    addSelfShadows(evidence, obstacles, causes);
 }
 
 } // namespace shadowlab::foreign

@@ -14,6 +14,8 @@ namespace {
 
 using judge::Verdict;
 
+constexpr float kEdgePx = 1.5f; // as core errors are counted (judge/metrics/boundary.h)
+
 class Patterns {
 public:
     explicit Patterns(const Evidence& evidence) : evidence_(evidence), size_(evidence.size()) {}
@@ -60,10 +62,19 @@ public:
     }
 
     /// Neither black nor white in the picture?
-    [[nodiscard]] bool isSoft(const Sample& sample) const {
-        const int grey = evidence_.found.image.greyAlpha[2 * sample.index];
+    [[nodiscard]] bool isSoft(const Sample& sample) const { return isSoft(sample.index); }
+    [[nodiscard]] bool isSoft(std::size_t pixel) const {
+        const int grey = evidence_.found.image.greyAlpha[2 * pixel];
         constexpr int kFromEnds = 25; // a tenth: noise and rounding of pairs stay below
         return grey > kFromEnds && grey < 255 - kFromEnds;
+    }
+
+    /// Pixels of the picture that are neither black nor white.
+    [[nodiscard]] int softPixels() const {
+        int count = 0;
+        for (std::size_t i = 0; i < evidence_.truth.visibility.size(); ++i)
+            count += evidence_.isJudged(i) && isSoft(i);
+        return count;
     }
 
     /// How many patches of one kind the wrong pixels form along boundaries: with 8 neighbours.
@@ -135,11 +146,35 @@ int reachOfEdges(const Evidence& evidence) {
     return static_cast<int>(std::ceil(std::max(kLeastPx, 2 * distances[distances.size() * 3 / 4])));
 }
 
+/// `reach`: reachOfEdges().
+void addSoftEdges(const Evidence& evidence, const Patterns& patterns, int reach, std::vector<Cause>& causes) {
+    const double length = judge::lengthPx(judge::trueBoundary(evidence.truth));
+    // Antialiasing shares a pixel and its neighbour; what is wider is a filter over texels that are larger than pixels.
+    constexpr double kOfAntialiasing = 2.1;
+    const double widthPx = length > 0 ? patterns.softPixels() / length : 0;
+    const bool wide = widthPx > kOfAntialiasing;
+    Cause soft{wide ? "resolution" : "soft-edges", "", wide ? "use a map of more texels, or a narrower filter; a light without area has no penumbra" : "take one sample a pixel, at its centre, without antialiasing", {}};
+    const auto isNear = [&](const Sample& s) { return wide ? s.boundaryPx <= static_cast<float>(reach) : s.boundaryPx <= kEdgePx; };
+    soft.predictions = wherePattern(evidence, [&](const Sample& s) { return isNear(s) && patterns.isSoft(s); });
+    soft.what = "edges are soft over " + picture::fixed(widthPx, 1) + " pixels: " + pixelShare(evidence, soft.predictions) + " are neither lit nor dark, but between";
+    if (wide) soft.what += ", as of a filter over texels that cover several pixels";
+    addPattern(evidence, std::move(soft), isNear, causes);
+}
+
+/// Of a light with an area: which side of one half a pixel is on is decided by samples.
+void addHalfSeen(const Evidence& evidence, std::vector<Cause>& causes) {
+    constexpr double kAboutHalf = 0.1; // of the light
+    const auto isHalf = [&](const Sample& s) { return std::abs(evidence.truth.share(s.index) - 0.5) < kAboutHalf; };
+    Cause cause{"penumbra-noise", "", "take more samples of the light for each pixel", {}};
+    cause.predictions = wherePattern(evidence, isHalf);
+    cause.what = "penumbras are uncertain: " + pixelShare(evidence, cause.predictions) + " see about half of the light, and samples or rounding decide";
+    addPattern(evidence, std::move(cause), isHalf, causes);
+}
+
 } // namespace
 
 void addPatternCauses(const Evidence& evidence, std::vector<Cause>& causes) {
     const Patterns patterns(evidence);
-    constexpr float kEdgePx = 1.5f;
     const auto isDarkened = [](const Sample& s) { return !s.isLit && s.boundaryPx > kEdgePx; };
     const auto isLightened = [](const Sample& s) { return s.isLit && s.boundaryPx > kEdgePx; };
     Cause acne{"acne", "", "raise the depth bias, let it grow with the slope and the texel, or leave out the surface that a shadow ray starts on", {}};
@@ -164,11 +199,10 @@ void addPatternCauses(const Evidence& evidence, std::vector<Cause>& causes) {
                   picture::fixed(count > 0 ? 2 * length / count : 0, 1) + " pixels of boundary and side: texels of a shadow map are too coarse";
     addPattern(evidence, std::move(texels), isAtEdge, causes);
 
-    const auto isBeside = [](const Sample& s) { return s.boundaryPx <= kEdgePx; };
-    Cause soft{"soft-edges", "", "take one sample a pixel, at its centre, and a filter of one texel: antialiased and filtered edges are shared among pixels", {}};
-    soft.predictions = wherePattern(evidence, [&](const Sample& s) { return isBeside(s) && patterns.isSoft(s); });
-    soft.what = "edges are soft: " + pixelShare(evidence, soft.predictions) + " are neither lit nor dark, but between";
-    addPattern(evidence, std::move(soft), isBeside, causes);
+    if (evidence.truth.shares.empty())
+        addSoftEdges(evidence, patterns, reach, causes);
+    else
+        addHalfSeen(evidence, causes);
 }
 
 } // namespace shadowlab::foreign

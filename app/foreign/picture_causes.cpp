@@ -78,15 +78,16 @@ void addFlips(const Evidence& evidence, std::vector<Cause>& causes) {
 
 void addShift(const Evidence& evidence, std::vector<Cause>& causes) {
     constexpr int kMostPx = 8;
+    const Evidence some = thinned(evidence);
     OtherView best;
     double most = 0;
     for (int y = -kMostPx; y <= kMostPx; ++y)
         for (int x = -kMostPx; x <= kMostPx; ++x) {
             const OtherView view{dvec2(1.0), dvec2(x, y)};
-            if (const double found = explained(evidence, lookedUp(evidence, view)); found > most) most = found, best = view;
+            if (const double found = explained(some, lookedUp(some, view)); found > most) most = found, best = view;
         }
     if (glm::length(best.shiftPx) > 1.5 && most < kWorthRays) return;
-    const auto costOf = [&](const std::vector<double>& shift) { return -explained(evidence, traced(evidence, {dvec2(1.0), {shift[0], shift[1]}})); };
+    const auto costOf = [&](const std::vector<double>& shift) { return -explained(some, traced(some, {dvec2(1.0), {shift[0], shift[1]}})); };
     // Half a pixel to each side is where the usual mistakes lie, and a saddle between two whole ones.
     std::vector<double> start{best.shiftPx.x, best.shiftPx.y};
     for (const dvec2 half : {dvec2(0.5, 0.5), dvec2(-0.5, -0.5), dvec2(0.5, 0), dvec2(0, 0.5), dvec2(-0.5, 0), dvec2(0, -0.5), dvec2(0.5, -0.5), dvec2(-0.5, 0.5)})
@@ -103,15 +104,16 @@ void addShift(const Evidence& evidence, std::vector<Cause>& causes) {
 
 void addScale(const Evidence& evidence, std::vector<Cause>& causes) {
     constexpr int kSteps = 24; // to an octave
+    const Evidence some = thinned(evidence);
     OtherView best;
     double most = 0;
     for (int y = -kSteps; y <= kSteps; ++y)
         for (int x = -kSteps; x <= kSteps; ++x) {
             if (x == 0 && y == 0) continue;
             const OtherView view{glm::exp2(dvec2(x, y) / static_cast<double>(kSteps)), dvec2(0.0)};
-            if (const double found = explained(evidence, lookedUp(evidence, view)); found > most) most = found, best = view;
+            if (const double found = explained(some, lookedUp(some, view)); found > most) most = found, best = view;
         }
-    const auto costOf = [&](const std::vector<double>& scale) { return -explained(evidence, traced(evidence, {{scale[0], scale[1]}, dvec2(0.0)})); };
+    const auto costOf = [&](const std::vector<double>& scale) { return -explained(some, traced(some, {{scale[0], scale[1]}, dvec2(0.0)})); };
     // A step that is too long or too short by one pixel over the whole picture is the likeliest of small ones.
     for (const double pixels : {-1.0, 1.0}) {
         const dvec2 scale = 1.0 + pixels / dvec2(evidence.size());
@@ -166,12 +168,13 @@ void addWholes(const Evidence& evidence, std::vector<Cause>& causes) {
     // A picture that is all of one kind is not inverted.
     if (lit > 0 && dark > 0) addOfPicture(evidence, std::move(inverted), causes);
 
+    constexpr double kSeenPlainly = 1.05; // whatever else predicts it
     constexpr double kOfDescriptions = 0.9; // what predicts the same and says why goes before
     constexpr double kNearlyNone = 0.002; // of all pixels that face the light
     if (dark < kNearlyNone * (lit + dark)) {
         Cause none{"no-shadows", "no shadow is drawn at all: " + percentText(lit / (lit + dark)) + " of what faces the light is lit",
                    "see that casters are drawn into the map or the volumes, that counts are not all negative (wrong winding, or a test that never fails)", {}};
-        none.likelihood = kOfDescriptions;
+        none.likelihood = kSeenPlainly;
         none.predictions = predictAll(evidence, [&](const Sample& sample) { return predicted(facing(sample)); });
         addOfPicture(evidence, std::move(none), causes);
     }

@@ -4,6 +4,7 @@
 // enters and leaves the volumes.
 // Crow, "Shadow Algorithms for Computer Graphics", 1977; Everitt and Kilgard, "Practical and Robust Stenciled Shadow Volumes", 2002.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -24,6 +25,7 @@ struct VolumeCounts {
     int left = 0;        ///< and through which it leaves one
     int own = 0;         ///< +1: the point lies on a front cap, seen from the light's side
     int atInfinity = 0;  ///< volumes that the ray ends in
+    int atEnd = 0;       ///< those that it is in where it leaves the scene: the volumes may end there
     std::array<bool, 4> sides{}; ///< does the ray enter, leave a volume before the point; enter, leave one beyond it?
 };
 
@@ -36,13 +38,9 @@ public:
         // Of a closed caster the faces turned to the light; of an open one every triangle.
         for (std::size_t i = 0; i < caps_.size(); ++i)
             if (closed[tracer_.world().objects[i]] && sides_[i] <= 0) caps_[i] = 0;
-        const scene::Bounds bounds = [&] {
-            scene::Bounds all;
-            for (const scene::Bounds& one : scene::objectBounds(tracer_.scene()))
-                all.include(one);
-            return all;
-        }();
-        far_ = bounds.isEmpty() ? 1 : 2 * glm::length(bounds.upperWorld - bounds.lowerWorld);
+        for (const scene::Bounds& one : scene::objectBounds(tracer_.scene()))
+            bounds_.include(one);
+        far_ = bounds_.isEmpty() ? 1 : 2 * glm::length(bounds_.upperWorld - bounds_.lowerWorld);
     }
 
     [[nodiscard]] VolumeCounts at(const Sample& sample, const trace::EyeRays& rays) const {
@@ -68,11 +66,22 @@ public:
             fromLight.directionCentred = eye.directionCentred;
             counts.atInfinity = static_cast<int>(crossings(tracer_, fromLight, trace::kNoPrimitive, caps_).size());
         }
+        counts.atEnd = within(leavesSceneAt(pointCentred, eye.directionCentred), trace::kNoPrimitive);
         lookForSides(counts, startCentred, pointCentred, glm::normalize(eye.directionCentred));
         return counts;
     }
 
 private:
+    /// Where a ray leaves the box around all objects.
+    [[nodiscard]] dvec3 leavesSceneAt(const dvec3& fromCentred, const dvec3& way) const {
+        double least = far_ / glm::length(way);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double wall = (way[axis] > 0 ? bounds_.upperWorld : bounds_.lowerWorld)[axis] - tracer_.world().originWorld[axis];
+            if (way[axis] != 0) least = std::min(least, std::max(0.0, (wall - fromCentred[axis]) / way[axis]));
+        }
+        constexpr double kBeyond = 1e-6; // of the scene's size: past what lies in the wall itself
+        return fromCentred + least * way + (kBeyond * far_) * glm::normalize(way);
+    }
     [[nodiscard]] int within(const dvec3& placeCentred, std::uint32_t leftOut) const {
         return static_cast<int>(crossings(tracer_, rayToLight(tracer_, placeCentred, light_), leftOut, caps_).size());
     }
@@ -101,6 +110,7 @@ private:
     const scene::Light& light_;
     std::vector<std::int8_t> sides_;
     std::vector<std::uint8_t> casts_, caps_;
+    scene::Bounds bounds_;
     double far_ = 1;
 };
 
@@ -124,6 +134,10 @@ constexpr std::array kRules{
     Rule{"missing-front-cap", "the front cap of the shadow volumes is missing", kCaps, [](const VolumeCounts& c) { return c.around + c.entered - c.left > 0; }},
     Rule{"missing-back-cap", "the back cap of the shadow volumes is missing", kCaps, [](const VolumeCounts& c) { return c.around - c.atInfinity != 0; }},
     Rule{"missing-back-cap", "the back cap of the shadow volumes is missing", kCaps, [](const VolumeCounts& c) { return c.around - c.atInfinity > 0; }},
+    Rule{"missing-back-cap", "the back cap of the shadow volumes is missing, where they end just behind the scene", kCaps, [](const VolumeCounts& c) { return c.around - c.atEnd != 0; }},
+    Rule{"missing-back-cap", "the back cap of the shadow volumes is missing, where they end just behind the scene", kCaps, [](const VolumeCounts& c) { return c.around - c.atEnd > 0; }},
+    Rule{"missing-caps", "both caps of the shadow volumes are missing, which end just behind the scene", kCaps, [](const VolumeCounts& c) { return c.around + c.entered - c.left + c.own - c.atEnd != 0; }, 0.98},
+    Rule{"missing-caps", "both caps of the shadow volumes are missing, which end just behind the scene", kCaps, [](const VolumeCounts& c) { return c.around + c.entered - c.left - c.atEnd != 0; }, 0.98},
     Rule{"missing-caps", "both caps of the shadow volumes are missing", kCaps, [](const VolumeCounts& c) { return c.around + c.entered - c.left + c.own - c.atInfinity != 0; }, 0.98},
     Rule{"missing-caps", "both caps of the shadow volumes are missing", kCaps, [](const VolumeCounts& c) { return c.around + c.entered - c.left + c.own - c.atInfinity > 0; }, 0.98},
     Rule{"eye-in-shadow", "the eye stands in shadow, and the count does not know it: it is off by the volumes around the eye",

@@ -163,7 +163,7 @@ void addForAll(const Evidence& evidence, const Sides& sides, std::vector<Cause>&
 void addForObjects(const Evidence& evidence, const Sides& sides, std::vector<Cause>& causes) {
     const scene::Scene& scene = evidence.tracer.scene();
     for (const std::uint32_t object : sides.suspects(true))
-        tryOut(evidence, sides, {"caster-missing", "a caster is missing, ", "draw this object into the shadow map or count its volume; where windings decide, its own may be reversed", {sides.castersWithout(object), {}}},
+        tryOut(evidence, sides, {"caster-missing", "a caster is missing, ", "draw this object into the shadow map or count its volume; where windings decide, its own may be reversed", {sides.castersWithout(object), {}}, 0.95}, // a rule of sides that explains as much needs no single object
                "'" + scene.objects[object].name + "'", causes);
     for (const std::uint32_t object : sides.suspects(false))
         tryOut(evidence, sides, {"wrong-winding", "one object has its winding reversed, ", "order its corners counter-clockwise as seen from outside",

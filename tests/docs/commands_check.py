@@ -137,13 +137,15 @@ def takes_hours(words):
     return words[0] == "report" and "--quick" not in words and "--hard" not in words
 
 
-def run(command, program, folder):
-    """None where it went well, else what the program said."""
+def run(command, program, folder, judged):
+    """None where it went well, else what the program said. `judged`: pictures that a later command judges; they keep their size."""
+    words = command.words if judged.intersection(command.words) else smaller(command.words)
     try:
-        result = subprocess.run([program, *smaller(command.words)], cwd=folder, capture_output=True, text=True, timeout=900, check=False)
+        result = subprocess.run([program, *words], cwd=folder, capture_output=True, text=True, timeout=900, check=False)
     except subprocess.TimeoutExpired:
         return "did not end within 15 minutes"
-    if result.returncode != 0:
+    wanting = 1 if command.words[0] == "judge" else 0  # judged, and found wanting
+    if result.returncode not in (0, wanting):
         return f"exit status {result.returncode}: {result.stderr.strip()}"
     printed = iter(result.stdout.splitlines())
     for line in command.prints:
@@ -164,19 +166,20 @@ def check_page(page, names, everything, seen):
             names = with_technique_of(page, names, text)
         (folder / "assets").symlink_to(ROOT / "assets")
         commands = commands_of(page, text)
+        judged = {word for command in commands if command.words[0] == "judge" for word in command.words if word.endswith(".png")}
         for command in commands:
             wrong = list(complaints_about(command, names, files))
             complaints += [f"{os.path.relpath(page, ROOT)}:{command.line}: {what}: {command}" for what in wrong]
             _, options = parsed(command.words[1:])
             files |= {value for option, value in options if option in ("--output", "--diagram", "--stats")}
             reads_typed = any(word in typed for word in command.words)
-            runs = reads_typed or command.prints or (everything and str(command) not in seen and not technique_of_page(command, names))
+            runs = reads_typed or command.prints or judged.intersection(command.words) or (everything and str(command) not in seen and not technique_of_page(command, names))
             film = any(word.endswith(".mp4") for word in command.words)
             if wrong or not runs or command.words[0] == "demo" or takes_hours(command.words) or (film and not shutil.which("ffmpeg")):
                 continue
             seen.add(str(command))
             ran += 1
-            said = run(command, names.program, folder)
+            said = run(command, names.program, folder, judged)
             if said:
                 complaints.append(f"{os.path.relpath(page, ROOT)}:{command.line}: {said}: {command}")
     return complaints, len(commands), ran
