@@ -23,6 +23,6 @@ struct Command {
 };
 
 extern const Command kCapture, kMeasure, kReport, kProbe, kDemo, kLesson, kSlides, kList, kNewTechnique, kGrade,
-    kInspect, kPack;
+    kInspect, kPack, kExercise;
 
 } // namespace shadowlab::cli
