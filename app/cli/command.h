@@ -23,6 +23,6 @@ struct Command {
 };
 
 extern const Command kCapture, kMeasure, kReport, kProbe, kDemo, kLesson, kSlides, kList, kNewTechnique, kGrade,
-    kInspect, kPack, kExport, kJudge;
+    kInspect, kPack, kExport, kJudge, kExercise;
 
 } // namespace shadowlab::cli

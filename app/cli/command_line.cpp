@@ -78,9 +78,8 @@ Work workWithoutCommand(const CLI::App& app) {
 }
 
 /// In the order of the help text.
-constexpr std::array kCommands{&kCapture, &kMeasure, &kReport,       &kProbe, &kDemo,   &kLesson,
-                               &kSlides,  &kList,    &kNewTechnique, &kGrade, &kInspect, &kPack,
-                               &kExport,  &kJudge};
+constexpr std::array kCommands{&kCapture, &kMeasure,  &kReport,  &kProbe, &kDemo,   &kLesson, &kSlides, &kExercise,
+                               &kList,    &kNewTechnique, &kGrade,  &kInspect, &kPack, &kExport, &kJudge};
 
 const Command* findCommand(const std::string& name) {
     const auto found = std::ranges::find(kCommands, name, [](const Command* one) { return std::string(one->name); });

@@ -34,6 +34,7 @@ struct MeasureOptions {
     std::string view;                  ///< empty: the scene's own camera
     context::Backend backend = context::Backend::automatic;
     MotionOptions motion;
+    report::CoverageAsked coverage;
     bool json = false;
     std::optional<scene::NormalMode> normals; ///< of a mesh; none: as it has them
     std::vector<std::filesystem::path> allowed;
@@ -50,6 +51,10 @@ void describeMeasure(DescribedOptions& add) {
     describeView(add);
     describeBackend(add);
     describeMotion(add);
+    add.option("--subpixel", "N",
+               "judges the share of each pixel that is lit as well, by N points of it, 1 to 256 (docs/measuring.md)");
+    add.option("--supersample", "N",
+               "with --subpixel: N x N samples of each pixel, whose mean is the technique's answer (default 1)");
     add.flag("--json", "one JSON object instead of a table");
     describeNormals(add);
     add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
@@ -57,7 +62,19 @@ void describeMeasure(DescribedOptions& add) {
                "Examples:\n"
                "  shadowlab measure still-life -t all\n"
                "  shadowlab measure bunny.obj -t shadow-map --set shadow-map.resolution=512 --json\n"
-               "  shadowlab measure still-life -t shadow-map --frames 60 --orbit-light 6");
+               "  shadowlab measure still-life -t shadow-map --frames 60 --orbit-light 6\n"
+               "  shadowlab measure still-life -t shadow-map --set shadow-map.filter=pcf --subpixel 32");
+}
+
+/// Of shares of pixels. Samples without them would be drawn and not looked at.
+report::CoverageAsked coverageFrom(const GivenOptions& given) {
+    if (!given.has("--subpixel")) {
+        if (given.has("--supersample"))
+            refuseUsage("--supersample is about the share of a pixel that is lit; add --subpixel N");
+        return {};
+    }
+    return {countFrom("--subpixel", given.text("--subpixel"), judge::kMostSubpixelPoints),
+            limitedCountFrom("--supersample", given.text("--supersample", "1"), "supersample")};
 }
 
 MeasureOptions measureOptions(const GivenOptions& given) {
@@ -65,7 +82,8 @@ MeasureOptions measureOptions(const GivenOptions& given) {
     options.scene = given.required("SCENE", "shadowlab measure SCENE");
     if (given.has("--technique")) options.techniques = measuredTechniquesFrom(given.texts("--technique"));
     options.size = sizeFrom("--size", given.text("--size", "1280x720"), "measured-side");
-    reserveForMeasured(options.size);
+    options.coverage = coverageFrom(given);
+    reserveForMeasured(options.size, options.coverage.samples);
     options.settings = given.texts("--set");
     lab::respell(options.techniques, {}, options.settings);
     options.light = given.text("--light");
@@ -137,13 +155,14 @@ int measure(const MeasureOptions& options) {
     const film::Motion motion = motionOf(options.motion, *base);
 
     context = context::createContext(options.backend);
-    requireDriverDraws(options.size);
+    requireDriverDraws(options.coverage.samples * options.size);
     picture::Session session(base);
     report::Measurement measurement(session, slots, light, options.size);
+    measurement.askForCoverage(options.coverage);
     measureAll(measurement, motion, base);
     const Measured measured{
         base->name,   base->light(light).name, std::string(context->backend()), context::glRenderer(),
-        options.size, motion.frames,           measurement.truthMs(),           measurement.results()};
+        options.size, motion.frames,           measurement.truthMs(),           measurement.coverageMs(), measurement.results()};
     for (const std::string& remark : base->notes)
         note(remark);
     for (const std::string& remark : lab::settingsWithoutEffect(slots))
@@ -172,10 +191,15 @@ std::vector<std::string> measuredTechniquesFrom(const std::vector<std::string>& 
     return ids;
 }
 
-void reserveForMeasured(ivec2 size) {
-    picture::reserveForPictures(
-        static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y), picture::kBytesPerMeasuredPixel,
-        "--size " + std::to_string(size.x) + "x" + std::to_string(size.y), "choose a smaller --size");
+void reserveForMeasured(ivec2 size, int samples) {
+    const std::uint64_t pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+    const auto onASide = static_cast<std::uint64_t>(samples);
+    const std::string asked = "--size " + std::to_string(size.x) + "x" + std::to_string(size.y);
+    if (samples == 1)
+        return picture::reserveForPictures(pixels, picture::kBytesPerMeasuredPixel, asked, "choose a smaller --size");
+    picture::reserveForPictures(pixels * (2 + onASide * onASide), picture::kBytesPerDrawnSample,
+                                asked + " with --supersample " + std::to_string(samples),
+                                "choose a smaller --size or --supersample");
 }
 
 const Command kMeasure{"measure", "SCENE",

@@ -74,6 +74,7 @@ void Measurement::addFrame(const film::Moment& moment) {
                                 lengthPx(judged.boundary));
         measured.result.counters = rendered.result.counters;
         if (first) judgeFirst(measured, rendered, answers, judged, *reference);
+        if (first && coverageAsked_.points > 0) measured.result.coverage = coverageOf(slot, view, judged);
         onStep_();
     }
     moments_.push_back(moment);
@@ -109,7 +110,13 @@ Measurement::Judged Measurement::truthOf(const View& view, const picture::LightT
     Truth truth = first ? session_.truth(view, light) : session_.truthAtCentres(view, light);
     if (first) truthMs_ += elapsedMs(start);
     std::vector<BoundaryEdge> boundary = trueBoundary(truth);
-    return {std::move(truth), std::move(boundary)};
+    Coverage coverage;
+    if (first && coverageAsked_.points > 0) {
+        const SteadyClock::time_point begun = SteadyClock::now();
+        coverage = trueCoverage(session_.tracer(), view.camera, size_, light_, coverageAsked_.points, light.of);
+        coverageMs_ += elapsedMs(begun);
+    }
+    return {std::move(truth), std::move(boundary), std::move(coverage)};
 }
 
 /// The technique's lit pixels, ties as the truth has them: what no rasteriser promises is no flicker. Only pixels that
@@ -131,7 +138,8 @@ std::vector<std::uint8_t> Measurement::litOutsideTies(const picture::VisibilityI
 void Measurement::judgeFirst(Entry& measured, const picture::RenderedFrame& rendered, const picture::Answers& answers,
                              const Judged& judged, const Shown& reference) {
     TechniqueErrors& result = measured.result;
-    const auto& [truth, boundary] = judged;
+    const judge::Truth& truth = judged.truth;
+    const std::vector<BoundaryEdge>& boundary = judged.boundary;
     const picture::AnswerErrors found = picture::judgeAnswers(answers, truth, boundary);
     result.counts = found.errors.judgement.counts;
     result.edgeErrorPx = found.errors.edgeErrorPx;
@@ -143,6 +151,18 @@ void Measurement::judgeFirst(Entry& measured, const picture::RenderedFrame& rend
     const Shown picture = shown(*measured.slot);
     result.picture = {psnr(picture.linear, reference.linear), ssim(picture.encoded, reference.encoded),
                       flip(picture.encoded, reference.encoded).mean};
+}
+
+/// Draws the slot once more, in as many samples as were asked for. Afterwards its target has that picture's size.
+CoverageErrors Measurement::coverageOf(picture::Slot& slot, const View& view, const Judged& judged) {
+    View larger = view;
+    larger.size = coverageAsked_.samples * size_;
+    if (facingSamples_.empty()) facingSamples_ = facingCentres(session_.tracer(), larger.camera, larger.size, light_);
+    const picture::RenderedFrame drawn = session_.render(slot, larger, picture::requestAnswers(*slot.info, light_));
+    const picture::Answers answers = picture::readAnswers(*slot.info, drawn, light_);
+    const PixelAnswers means =
+        meansOfSamples(answers.visibility.greyAlpha, facingSamples_, size_, coverageAsked_.samples);
+    return coverageErrors(judged.coverage, means, judged.truth.ties, coverageAsked_.samples);
 }
 
 /// The picture in a slot's target: linear light as it is shown, that is exposed and clamped, and the encoded bytes.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/film/motion.h"
+#include "app/judge/coverage_errors.h"
 #include "app/judge/metrics/boundary.h"
 #include "app/judge/metrics/flicker.h"
 #include "app/judge/metrics/frame_times.h"
@@ -30,6 +31,13 @@ struct PictureErrors {
     double flip = 0; ///< mean over the picture
 };
 
+/// How the shadows' coverage of pixels is judged.
+struct CoverageAsked {
+    int points = 0; ///< of each pixel, for the truth; 0: coverage is not judged
+    int samples =
+        1; ///< on a side of each pixel, for the technique's answer: it draws a picture as many times as wide and as high
+};
+
 /// The errors and times of one technique, for one light.
 struct TechniqueErrors {
     std::string technique;
@@ -39,6 +47,7 @@ struct TechniqueErrors {
     int coreErrors = 0;
     std::optional<double> edgeErrorPx;             ///< none: the truth has no boundary
     std::optional<judge::Displacement> boundaryPx; ///< none: the truth, or the technique, has no boundary
+    std::optional<judge::CoverageErrors> coverage; ///< none: not asked for
     PictureErrors picture;
     std::optional<double> excessFlipRate; ///< none: a single frame, or no boundary
     bool converged = true;
@@ -51,6 +60,9 @@ class Measurement {
 public:
     /// All of them must live as long as the measurement. Needs a current GL context.
     Measurement(picture::Session& session, std::vector<picture::Slot>& slots, int light, ivec2 size);
+
+    /// Judges the coverage of pixels as well, in the first frame.
+    void askForCoverage(const CoverageAsked& asked) { coverageAsked_ = asked; }
 
     /// Called whenever one technique is through with one frame, or with one turn: it may show how far the work is, or throw.
     void tell(std::function<void()> onStep) { onStep_ = std::move(onStep); }
@@ -67,12 +79,15 @@ public:
     /// What the first frame's truth took, ties included; without the tree, which is kept from frame to frame. Where some
     /// techniques are judged by the light's centre and others by its area, of both together.
     [[nodiscard]] double truthMs() const { return truthMs_; }
+    /// What the true coverage took, in the same way; 0: not asked for.
+    [[nodiscard]] double coverageMs() const { return coverageMs_; }
 
 private:
     /// The truth of one frame, and its boundary.
     struct Judged {
         judge::Truth truth;
         std::vector<judge::BoundaryEdge> boundary;
+        judge::Coverage coverage; ///< of the first frame, where it was asked for
     };
     struct Entry {
         picture::Slot* slot;
@@ -89,6 +104,7 @@ private:
                                              const picture::LightTruth& light, const View& view);
     void judgeFirst(Entry& measured, const picture::RenderedFrame& rendered, const picture::Answers& answers,
                     const Judged& judged, const Shown& reference);
+    judge::CoverageErrors coverageOf(picture::Slot& slot, const View& view, const Judged& judged);
     Shown shown(const picture::Slot& slot) const;
     Shown referencePicture(const View& view);
     picture::RenderedFrame draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses = false) {
@@ -102,7 +118,10 @@ private:
     int light_;
     ivec2 size_;
     std::vector<film::Moment> moments_; ///< that were added
-    double truthMs_ = 0;
+    CoverageAsked coverageAsked_;
+    std::vector<std::uint8_t>
+        facingSamples_; ///< which samples of the first frame show a surface turned toward the light
+    double truthMs_ = 0, coverageMs_ = 0;
     std::function<void()> onStep_ = [] {};
 };
 

@@ -119,6 +119,56 @@ TEST_F(MeasureTest, SaysWhichTruthWasUsed) {
         EXPECT_NE(table.find(word), std::string::npos) << word << "\n" << table;
 }
 
+// With one point the share of a pixel is the truth at its centre, so its errors are those that are measured anyway: over the pixels
+// that face the light, where turned away ones have none.
+TEST_F(MeasureTest, ShareOfOnePointIsTheTruthAtTheCentre) {
+    const Json result =
+        measured({"-t", "shadow-map", "--set", "shadow-map.resolution=64", "--subpixel", "1"}).at("results").at(0);
+    const Json& all = result.at("coverage").at("all");
+    const double facing = result.at("lit").get<double>() + result.at("shadowed").get<double>();
+    EXPECT_EQ(all.at("pixels"), facing);
+    const double judged = facing + result.at("turnedAway").get<double>();
+    const double squares = all.at("rmse").get<double>() * all.at("rmse").get<double>() * facing;
+    EXPECT_GT(squares, 20);
+    EXPECT_NEAR(result.at("rmse"), std::sqrt(squares / judged), 1e-6); // shares are floats
+    EXPECT_EQ(result.at("coverage").at("edge").at("pixels"), 0) << "one point crosses nothing";
+}
+
+TEST_F(MeasureTest, ShareOfPixelsIsNearerWithMoreSamples) {
+    const std::vector<std::string> asked{"-t", "shadow-volume-zfail", "--subpixel", "64", "--supersample"};
+    std::vector<double> errors;
+    for (const char* samples : {"1", "2", "4"}) {
+        std::vector<std::string> arguments = asked;
+        arguments.emplace_back(samples);
+        const Json json = measured(arguments);
+        const Json& coverage = json.at("results").at(0).at("coverage");
+        EXPECT_GT(json.at("coverageMs"), 0);
+        EXPECT_EQ(coverage.at("points"), 64);
+        EXPECT_EQ(coverage.at("samples"), std::stoi(samples));
+        for (const char* part : {"all", "edge", "outline"})
+            EXPECT_GT(coverage.at(part).at("pixels"), 100) << part;
+        errors.push_back(coverage.at("edge").at("rmse"));
+        EXPECT_LE(coverage.at("edge").at("mean"), errors.back());
+        EXPECT_LE(errors.back(), coverage.at("edge").at("max"));
+    }
+    // The share of a pixel beside an edge is anything, and the nearest of n * n + 1 shades is on average 1/n times as far.
+    EXPECT_NEAR(errors[0], std::sqrt(1.0 / 12), 0.05);
+    EXPECT_LT(errors[1], 0.6 * errors[0]);
+    EXPECT_LT(errors[2], 0.6 * errors[1]);
+}
+
+TEST_F(MeasureTest, SharesAreSaidOnlyWhereAsked) {
+    EXPECT_FALSE(measured({"-t", "unshadowed"}).contains("coverageMs"));
+    EXPECT_FALSE(measured({"-t", "unshadowed"}).at("results").at(0).contains("coverage"));
+    const std::vector<std::string> arguments{"measure", "box.json", "--size", "160x120"};
+    EXPECT_EQ(succeed(arguments).out.find("share of a pixel"), std::string::npos);
+    std::vector<std::string> asked = arguments;
+    asked.insert(asked.end(), {"--subpixel", "32", "--supersample", "2"});
+    const std::string table = succeed(asked).out;
+    for (const char* word : {"share of a pixel", "2 x 2 samples against 32 points", "edge pixels", "outline pixels"})
+        EXPECT_NE(table.find(word), std::string::npos) << word << "\n" << table;
+}
+
 TEST_F(MeasureTest, SequencesHaveFlips) {
     const Json json = measured(
         {"-t", "ray-traced,shadow-map", "--set", "shadow-map.resolution=64", "--frames", "4", "--orbit-light", "2"});
@@ -158,6 +208,10 @@ TEST_F(MeasureTest, Refusals) {
     expectRefused({"measure", "box.json", "-t", "shadow-mop"}, 2, {"shadow-mop", "shadow-map"});
     expectRefused({"measure", "box.json", "--size", "9000x10"}, 6, {"9000"});
     expectRefused({"measure", "box.json", "--orbit-light", "10"}, 2, {"--frames"});
+    expectRefused({"measure", "box.json", "--supersample", "2"}, 2, {"--supersample", "--subpixel"});
+    expectRefused({"measure", "box.json", "--subpixel", "0"}, 2, {"--subpixel", "256"});
+    expectRefused({"measure", "box.json", "--subpixel", "257"}, 2, {"--subpixel", "256"});
+    expectRefused({"measure", "box.json", "--subpixel", "8", "--supersample", "17"}, 6, {"--supersample", "16"});
     expectRefused({"measure", "box.json", "--output", "x"}, 2, {"--output"});
     expectRefused({"measure", "no-such-scene"}, 3, {"no-such-scene"});
 }

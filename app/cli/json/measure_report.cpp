@@ -19,6 +19,19 @@ using Result = report::TechniqueErrors;
 /// What a technique is judged by.
 const char* nameOfTruth(judge::TruthOf truth) { return truth == judge::TruthOf::area ? "area" : "centre"; }
 
+Json shareErrorsJson(const judge::ShareErrors& errors) {
+    return {{"pixels", errors.pixels}, {"rmse", errors.rmse}, {"mean", errors.mean}, {"max", errors.largest}};
+}
+
+/// Only of a measurement that was asked for it.
+Json coverageJson(const judge::CoverageErrors& errors) {
+    return {{"points", errors.points},
+            {"samples", errors.samples},
+            {"all", shareErrorsJson(errors.all)},
+            {"edge", shareErrorsJson(errors.edge)},
+            {"outline", shareErrorsJson(errors.outline)}};
+}
+
 Json resultJson(const Measured& measured, const Result& result) {
     const judge::Counts& counts = result.counts;
     Json entry;
@@ -41,6 +54,7 @@ Json resultJson(const Measured& measured, const Result& result) {
         entry["boundaryPx"] = {
             {"mean", result.boundaryPx->mean}, {"p95", result.boundaryPx->p95}, {"max", result.boundaryPx->max}};
     entry["rmse"] = counts.rmse;
+    if (result.coverage) entry["coverage"] = coverageJson(*result.coverage);
     entry["psnr"] = numberJson(result.picture.psnr);
     entry["ssim"] = numberJson(result.picture.ssim);
     entry["flip"] = numberJson(result.picture.flip);
@@ -97,6 +111,27 @@ Rows errorRows(const Measured& measured) {
     return rows;
 }
 
+/// The heading says what of each pixel was compared.
+Rows coverageRows(const Measured& measured) {
+    const judge::CoverageErrors& asked = *measured.results.front().coverage;
+    const std::string samples = asked.samples == 1
+                                    ? "visibility at its centre"
+                                    : "the mean of " + std::to_string(asked.samples) + " x " + std::to_string(asked.samples) + " samples";
+    Rows rows{{"share of a pixel: " + samples + " against " + std::to_string(asked.points) + (asked.points == 1 ? " point" : " points"),
+               "edge pixels", "RMSE", "mean", "max", "all pixels", "RMSE", "mean", "max", "outline pixels", "RMSE", ""}};
+    for (const Result& result : measured.results) {
+        const judge::CoverageErrors& errors = *result.coverage;
+        std::vector<std::string> row{result.technique};
+        for (const judge::ShareErrors* const part : {&errors.edge, &errors.all})
+            row.insert(row.end(), {std::to_string(part->pixels), fixed(part->rmse, 4), fixed(part->mean, 4), fixed(part->largest, 3)});
+        row.insert(row.end(), {std::to_string(errors.outline.pixels), fixed(errors.outline.rmse, 4), ""});
+        rows.push_back(std::move(row));
+    }
+    rows.push_back({"made in ms", fixed(measured.coverageMs, 1)});
+    rows.back().resize(rows.front().size());
+    return rows;
+}
+
 Rows pictureRows(const Measured& measured) {
     Rows rows{{"picture against ray-traced", "PSNR dB", "SSIM", "FLIP", ""}};
     for (const Result& result : measured.results)
@@ -141,6 +176,7 @@ std::string measureJson(const Measured& measured) {
     root["renderer"] = measured.renderer;
     root["frames"] = measured.frames;
     root["truthMs"] = measured.truthMs;
+    if (measured.results.front().coverage) root["coverageMs"] = measured.coverageMs;
     root["results"] = Json::array();
     for (const Result& result : measured.results)
         root["results"].push_back(resultJson(measured, result));
@@ -153,8 +189,10 @@ std::string measureTable(const Measured& measured, std::optional<std::size_t> co
                                 std::to_string(measured.size.y) + ", " + std::to_string(measured.frames) +
                                 (measured.frames == 1 ? " frame" : " frames") + ", " + measured.renderer;
     std::string text = fitting(heading + "\n", columns);
-    for (const Rows& rows :
-         {truthRows(measured), errorRows(measured), pictureRows(measured), timeRows(measured), counterRows(measured)})
+    std::vector<Rows> tables{truthRows(measured), errorRows(measured)};
+    if (measured.results.front().coverage) tables.push_back(coverageRows(measured));
+    tables.insert(tables.end(), {pictureRows(measured), timeRows(measured), counterRows(measured)});
+    for (const Rows& rows : tables)
         text += "\n" + aligned(rows, columns);
     return text;
 }

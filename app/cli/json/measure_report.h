@@ -15,7 +15,7 @@ struct Measured {
     std::string scene, light, backend, renderer;
     ivec2 size{0};
     int frames = 1;
-    double truthMs = 0;
+    double truthMs = 0, coverageMs = 0;
     std::vector<report::TechniqueErrors> results;
 };
 

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "app/course/exercises/kinds.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/base/nearest_names.h"
+
+namespace shadowlab::course {
+
+namespace {
+
+constexpr std::array kKinds{
+    ExerciseKind{"projection", "Direct projection", askForProjection},
+    ExerciseKind{"plane", "Points and a plane", askForPlaneHeights},
+    ExerciseKind{"pixels", "Pixels in shadow", askForShadowedPixels},
+    ExerciseKind{"depths", "Shadow map: two depths", askForMapDepths},
+    ExerciseKind{"texel", "Shadow map: the texel", askForTexel},
+    ExerciseKind{"counts", "Shadow volumes: counting faces", askForFaceCounts},
+    ExerciseKind{"extrusion", "Shadow volumes: extrusion", askForExtrusion},
+    ExerciseKind{"reflection", "Ray tracing: the reflected ray", askForReflection},
+    ExerciseKind{"refraction", "Ray tracing: the refracted ray", askForRefraction},
+    ExerciseKind{"tree", "Ray tracing: the size of a tree", askForTreeSize},
+    ExerciseKind{"intensity", "Ray tracing: intensities in a tree", askForIntensity},
+    ExerciseKind{"shades", "Supersampling", askForShades},
+    ExerciseKind{"penumbra", "Soft shadows", askForPenumbra},
+    ExerciseKind{"form-factor", "Radiosity: a form factor", askForFormFactor},
+    ExerciseKind{"row-sum", "Radiosity: form factors of a box", askForRowSum},
+    ExerciseKind{"two-patches", "Radiosity: two patches", askForTwoPatches},
+};
+
+} // namespace
+
+std::span<const ExerciseKind> exerciseKinds() { return kKinds; }
+
+const ExerciseKind& findExerciseKind(std::string_view name) {
+    const auto found = std::ranges::find(kKinds, name, &ExerciseKind::name);
+    if (found != kKinds.end()) return *found;
+    std::vector<std::string> known;
+    for (const ExerciseKind& kind : kKinds)
+        known.emplace_back(kind.name);
+    throw Error(ExitStatus::usage, "there is no kind of exercise '" + std::string(name) + "'; " + suggestion(name, known));
+}
+
+std::vector<Exercise> makeExercises(std::uint64_t seed, int count, const std::vector<const ExerciseKind*>& kinds) {
+    Chance chance(seed);
+    std::vector<const ExerciseKind*> order, chosen;
+    while (chosen.size() < static_cast<std::size_t>(count)) {
+        if (order.empty()) {
+            order = kinds;
+            chance.shuffle(order);
+        }
+        chosen.push_back(order.back());
+        order.pop_back();
+    }
+    std::ranges::stable_sort(chosen, {}, [](const ExerciseKind* kind) { return kind - kKinds.data(); });
+    std::vector<Exercise> exercises;
+    for (const ExerciseKind* kind : chosen) {
+        exercises.push_back(kind->make(chance));
+        exercises.back().kind = kind->name;
+        exercises.back().title = kind->title;
+    }
+    return exercises;
+}
+
+std::string printed(double value) {
+    std::array<char, 64> buffer{};
+    const double rounded = std::round(value * 1000) / 1000 + 0.0; // no "-0"
+    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded, std::chars_format::fixed, 3);
+    if (error != std::errc{}) return "?";
+    std::string text(buffer.data(), end);
+    while (text.back() == '0')
+        text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
+std::string printed(const dvec3& vector) {
+    return "(" + printed(vector.x) + ", " + printed(vector.y) + ", " + printed(vector.z) + ")";
+}
+
+} // namespace shadowlab::course

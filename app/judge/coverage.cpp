@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "app/judge/coverage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <span>
+
+#include "app/judge/truth_tiles.h"
+#include "techniques/foundation/trace/area/area_visibility.h"
+
+namespace shadowlab::judge {
+
+namespace {
+
+using trace::SurfacePoint;
+using trace::Visibility;
+
+/// The binary digits of i, mirrored at the point: 1 is 0.5, 2 is 0.25, 3 is 0.75.
+double mirroredDigits(std::uint32_t i) {
+    double value = 0, digit = 0.5;
+    for (; i > 0; i >>= 1, digit /= 2)
+        if (i & 1) value += digit;
+    return value;
+}
+
+/// What one point of a pixel shows.
+struct PointAnswer {
+    std::uint32_t object = trace::kNoPrimitive;
+    Visibility visibility = Visibility::noSurface;
+    float share = 0; ///< of the light that is seen
+};
+
+bool facesTheLight(Visibility visibility) {
+    return visibility == Visibility::lit || visibility == Visibility::shadowed;
+}
+
+PixelKind kindOf(std::span<const PointAnswer> answers) {
+    const auto faces = [](const PointAnswer& answer) { return facesTheLight(answer.visibility); };
+    if (std::ranges::none_of(answers, faces)) return PixelKind::none;
+    const PointAnswer& first = answers.front();
+    const auto isAlone = [&](const PointAnswer& answer) { return faces(answer) && answer.object == first.object; };
+    if (!std::ranges::all_of(answers, isAlone)) return PixelKind::outline;
+    const auto sees = [&](const PointAnswer& answer) { return answer.visibility == first.visibility; };
+    return std::ranges::all_of(answers, sees) ? PixelKind::whole : PixelKind::edge;
+}
+
+float meanShare(std::span<const PointAnswer> answers) {
+    double sum = 0;
+    int facing = 0;
+    for (const PointAnswer& answer : answers)
+        if (facesTheLight(answer.visibility)) sum += static_cast<double>(answer.share), ++facing;
+    return facing > 0 ? static_cast<float>(sum / facing) : 0.0f;
+}
+
+/// Asks all points of the pixels of a tile.
+class PointsAsking {
+public:
+    PointsAsking(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light, int points,
+                 TruthOf of)
+        : tracer_(tracer), rays_(tracer.eyeRays(camera, size)), light_(light), within_(subpixelPoints(points)) {
+        if (of == TruthOf::area) area_.emplace(tracer, light);
+    }
+
+    /// One row of answers for each pixel of the tile.
+    [[nodiscard]] std::vector<PointAnswer> ask(const Tile& tile) const {
+        const std::size_t count = within_.size();
+        std::vector<SurfacePoint> points(count * tile.count());
+        std::vector<PointAnswer> answers(points.size());
+        TilePoints seen;
+        TileVisibility visibility;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::span<SurfacePoint> ofTile = std::span(seen).first(tile.count());
+            tracer_.eyePoints(rays_, tile.corner, tile.size, within_[k], ofTile);
+            if (!area_) tracer_.visibilities(ofTile, light_, std::span(visibility).first(tile.count()));
+            for (std::size_t i = 0; i < tile.count(); ++i) {
+                points[i * count + k] = seen[i];
+                PointAnswer& answer = answers[i * count + k];
+                if (seen[i]) answer.object = tracer_.world().objects[seen[i].primitive];
+                if (area_) continue;
+                answer.visibility = visibility[i];
+                answer.share = visibility[i] == Visibility::lit ? 1.0f : 0.0f;
+            }
+        }
+        if (area_) askArea(points, answers);
+        return answers;
+    }
+
+private:
+    /// The shares of a light's area, of all points of the tile at once, which is quicker.
+    void askArea(std::span<const SurfacePoint> points, std::span<PointAnswer> answers) const {
+        std::vector<trace::AreaShare> shares(points.size());
+        area_->shares(points, {}, shares);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            answers[i].share = static_cast<float>(shares[i].visible);
+            answers[i].visibility = visibilityOf(points[i], answers[i].share);
+        }
+    }
+
+    [[nodiscard]] Visibility visibilityOf(const SurfacePoint& point, float share) const {
+        if (!point) return Visibility::noSurface;
+        if (!tracer_.facesLight(point, light_)) return Visibility::turnedAway;
+        return share > 0.5f ? Visibility::lit : Visibility::shadowed;
+    }
+
+    const trace::SceneTracer& tracer_;
+    trace::EyeRays rays_;
+    int light_;
+    std::vector<dvec2> within_;
+    std::optional<trace::AreaVisibility> area_; ///< none: the light's centre is asked for
+};
+
+std::size_t indexIn(ivec2 size, ivec2 pixel) {
+    return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(pixel.x);
+}
+
+std::size_t pixelsOf(ivec2 size) { return indexIn(size, {0, size.y}); }
+
+} // namespace
+
+std::vector<dvec2> subpixelPoints(int count) {
+    std::vector<std::uint32_t> order(static_cast<std::size_t>(count));
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::sort(order, {}, mirroredDigits);
+    std::vector<dvec2> points(order.size());
+    for (std::size_t rank = 0; rank < order.size(); ++rank)
+        points[order[rank]] = (dvec2(order[rank], static_cast<double>(rank)) + 0.5) / static_cast<double>(count);
+    return points;
+}
+
+Coverage trueCoverage(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light, int points,
+                      TruthOf of, const std::stop_token& stop) {
+    Coverage coverage{size, points, std::vector<float>(pixelsOf(size), 0.0f),
+                      std::vector(pixelsOf(size), PixelKind::none)};
+    const PointsAsking asking(tracer, camera, size, light, points, of);
+    forEachTile(size, stop, [&](const Tile& tile) {
+        const std::vector<PointAnswer> answers = asking.ask(tile);
+        for (std::size_t i = 0; i < tile.count(); ++i) {
+            const ivec2 inTile(static_cast<int>(i) % tile.size.x, static_cast<int>(i) / tile.size.x);
+            const auto own =
+                std::span(answers).subspan(i * static_cast<std::size_t>(points), static_cast<std::size_t>(points));
+            const std::size_t pixel = indexIn(size, tile.corner + inTile);
+            coverage.shares[pixel] = meanShare(own);
+            coverage.kinds[pixel] = kindOf(own);
+        }
+    });
+    return coverage;
+}
+
+std::vector<std::uint8_t> facingCentres(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size,
+                                        int light) {
+    std::vector<std::uint8_t> facing(pixelsOf(size), 0);
+    const trace::EyeRays rays = tracer.eyeRays(camera, size);
+    forEachTile(size, {}, [&](const Tile& tile) {
+        TilePoints points;
+        tracer.eyePoints(rays, tile.corner, tile.size, dvec2(0.5), std::span(points).first(tile.count()));
+        for (std::size_t i = 0; i < tile.count(); ++i) {
+            const ivec2 inTile(static_cast<int>(i) % tile.size.x, static_cast<int>(i) / tile.size.x);
+            facing[indexIn(size, tile.corner + inTile)] = points[i] && tracer.facesLight(points[i], light) ? 1 : 0;
+        }
+    });
+    return facing;
+}
+
+} // namespace shadowlab::judge
