@@ -1,0 +1,17 @@
+// Which blank it may be, by the cases that fail: with each blank left empty, or filled in with the mistake that tests/plugins/solutions.py
+// has for it, and all others filled in rightly, certain cases fail and no others.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include "app/student/grading/grader.h"
+
+namespace shadowlab::student {
+
+/// Those with which just the cases of the sheet fail that do. Empty: none, or so many (over three) that it would say nothing.
+std::vector<int> likelyBlanks(const Sheet& sheet);
+
+/// The cases that fail, in order, as '1', the others as '0': what likelyBlanks() goes by.
+std::string failingCases(const Sheet& sheet);
+
+} // namespace shadowlab::student
