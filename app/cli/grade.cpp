@@ -240,6 +240,7 @@ void requireWritable(const GradeOptions& options, const std::string& technique) 
 }
 
 int grade(const GradeOptions& options) {
+    student::keepMemoryToItself(); // the truth is in it
     const student::Conditions conditions{options.limits, student::Sandbox(options.sandbox)};
     const student::Declared declared = student::askPlugin(options.plugin, conditions);
     const student::Candidate candidate{options.plugin, chosenTechnique(options, declared), options.backend};

@@ -25,6 +25,12 @@ std::string searchText(const student::SearchReport& search, const std::vector<st
     return text;
 }
 
+std::string aboutText(const CaseResult& result, const std::vector<student::Blank>& blanks) {
+    const std::string names = student::namesOf(student::numbersIn(result.which->blanks), blanks);
+    if (names.empty()) return " It is about several blanks: " + std::string(result.which->blanks) + ".";
+    return " It is about " + names + ".";
+}
+
 } // namespace
 
 std::string sheetText(const GradedSheet& graded, std::optional<std::size_t> columns) {
@@ -41,10 +47,8 @@ std::string sheetText(const GradedSheet& graded, std::optional<std::size_t> colu
     for (const CaseResult& result : sheet.results)
         if (!result.isRight())
             text += "\n" + std::string(result.which->id) + ": " + student::whatIsWrong(result, *sheet.family) + " " +
-                    std::string(result.which->hint) + " About " +
-                    student::namesOf(student::numbersIn(result.which->blanks), graded.blanks) + ".\n";
-    if (const auto blanks = student::likelyBlanks(sheet); !blanks.empty())
-        text += "\nThese cases fail, and no others, with " + student::namesOf(blanks, graded.blanks) + " left empty or filled in wrongly.\n";
+                    std::string(result.which->hint) + aboutText(result, graded.blanks) + "\n";
+    if (const std::string likely = student::likelyText(sheet, graded.blanks); !likely.empty()) text += "\n" + likely + "\n";
     if (!graded.picture.empty()) text += "\nThe first failing case: " + graded.picture + "\n";
     if (graded.search) text += searchText(*graded.search, graded.blanks);
     return fitting(text, columns);

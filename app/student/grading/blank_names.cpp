@@ -16,6 +16,8 @@ std::vector<Blank> blanksOf(const Family& family) {
 }
 
 std::string namesOf(const std::vector<int>& numbers, const std::vector<Blank>& blanks) {
+    constexpr std::size_t kMost = 3; // of four or more none is meant
+    if (numbers.size() > kMost) return "";
     std::string names;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const bool isLast = i + 1 == numbers.size();

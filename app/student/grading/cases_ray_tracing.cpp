@@ -21,7 +21,7 @@ constexpr std::array kRayTracingCases = std::to_array<Case>({
      "What stands behind the lamp shadows nothing: end the ray at the lamp's distance."},
     {"ray-mirror", "the reflection ray", "3", 8, kRays, 3,
      "R = u - 2 (u.N) N. It starts on the surface, and its intensity comes back times k_r.", Judged::picture},
-    {"ray-glass", "the refraction ray, into glass and out of it", "4 5 7 8", 8, kRays, 3,
+    {"ray-glass", "the refraction ray, into glass and out of it", "4 7 8", 8, kRays, 3,
      "Into glass eta is 1 / ior, out of it ior. Is T a unit vector? Its component along N has the square "
      "cos^2(refracted).",
      Judged::picture},

@@ -41,8 +41,8 @@ constexpr std::string_view kBwrap = "bwrap: ";
 std::string overWhat(const ChildProcess& child, const ChildLimits& limits, Clock::time_point since) {
     if (Clock::now() > since + limits.time) return "it did not come to an end within " + std::to_string(limits.time.count()) + " s";
     const TreeUse use = child.use();
-    if (use.residentBytes > limits.memoryBytes) return "it used more than " + std::to_string(limits.memoryBytes >> 20) + " MiB of memory";
     if (use.processes > limits.processes) return "it started more than " + std::to_string(limits.processes) + " processes";
+    if (use.residentBytes > limits.memoryBytes) return "it used more than " + std::to_string(limits.memoryBytes >> 20) + " MiB of memory";
     return {};
 }
 

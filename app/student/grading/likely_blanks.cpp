@@ -45,8 +45,6 @@ constexpr std::array kPatterns = std::to_array<Pattern>({
     {"radiosity", "11111111", "1 3 4 5"},
 });
 
-constexpr std::size_t kMostNamed = 3;
-
 } // namespace
 
 std::string failingCases(const Sheet& sheet) {
@@ -61,11 +59,14 @@ std::vector<int> likelyBlanks(const Sheet& sheet) {
     // Without pictures nothing can be told by them.
     if (std::ranges::any_of(sheet.results, [](const CaseResult& result) { return !result.wrong; })) return {};
     for (const Pattern& pattern : kPatterns)
-        if (pattern.family == sheet.family->id && pattern.failing == failing) {
-            std::vector<int> blanks = numbersIn(pattern.blanks);
-            return blanks.size() <= kMostNamed ? blanks : std::vector<int>();
-        }
+        if (pattern.family == sheet.family->id && pattern.failing == failing)
+            return numbersIn(pattern.blanks);
     return {};
+}
+
+std::string likelyText(const Sheet& sheet, const std::vector<Blank>& blanks) {
+    const std::string names = namesOf(likelyBlanks(sheet), blanks);
+    return names.empty() ? "" : "These cases fail, and no others, with " + names + " left empty or filled in wrongly.";
 }
 
 } // namespace shadowlab::student

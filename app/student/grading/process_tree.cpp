@@ -57,6 +57,8 @@ TreeUse useOf(pid_t process) {
 
 void adoptOrphans() { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
 
+void keepMemoryToItself() { ::prctl(PR_SET_DUMPABLE, 0); }
+
 void endChildrenBut(const std::vector<pid_t>& kept) {
     for (;;) {
         bool any = false;

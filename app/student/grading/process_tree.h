@@ -22,6 +22,9 @@ TreeUse useOf(pid_t process);
 /// From now on a process whose parent has ended becomes a child of this one, so that what a child leaves behind can be found.
 void adoptOrphans();
 
+/// From now on other processes of the same user can neither read its memory nor attach to it.
+void keepMemoryToItself();
+
 /// Ends the children of this process that are not among `kept`, and waits for their end.
 void endChildrenBut(const std::vector<pid_t>& kept);
 

@@ -99,7 +99,11 @@ SearchObject sheet(const std::string& name, const dvec3& center, const dvec3& ed
     return object;
 }
 
-SearchObject floorOf(double side, double height) { return sheet("floor", {0, height, 0}, {0, 0, side}, {side, 0, 0}); }
+SearchObject floorOf(double side, double height) {
+    SearchObject floor = sheet("floor", {0, height, 0}, {0, 0, side}, {side, 0, 0});
+    floor.isWhole = true;
+    return floor;
+}
 
 SearchObject ofMaterial(SearchObject object, const std::string& material) {
     object.material = material;

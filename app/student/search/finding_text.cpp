@@ -48,17 +48,18 @@ std::string stageInWords(const StageEvidence& stage) {
                          : "Your stage " + stage.stage + " is the first that is not as it should be.";
 }
 
-/// Those in the source of the pass that the stage shows. A stage that shows no pass of its own is made before the first that has one.
-std::vector<int> blanksOfStage(const std::string& stage, const Family& family, const std::vector<Blank>& blanks) {
+/// Those in the source of the passes up to the one that the stage shows: what an earlier one gets wrong by less than a level is not seen in
+/// its own stage. A stage that shows no pass of its own is made before the first that has one.
+std::vector<int> blanksUpTo(const std::string& stage, const Family& family, const std::vector<Blank>& blanks) {
     const std::vector<PassInfo>& passes = findTechnique(rightTechnique(family)).passes;
     const bool hasPass = std::ranges::find(passes, stage, &PassInfo::shownBy) != passes.end();
     std::vector<int> found;
     for (const PassInfo& pass : passes) {
         if (!hasPass && !pass.shownBy.empty()) break;
-        if (hasPass && pass.shownBy != stage) continue;
         for (const AnchorUse& use : anchorsOf(pass))
             for (std::size_t i = 0; i < blanks.size(); ++i)
                 if (blanks[i].anchor == use.anchor) found.push_back(static_cast<int>(i) + 1);
+        if (pass.shownBy == stage) break;
     }
     return found;
 }
@@ -91,21 +92,12 @@ std::string sentenceOf(const Finding& finding) {
 
 std::vector<int> blanksAbout(const Finding& finding, const Family& family, const std::vector<Blank>& blanks,
                              const std::vector<int>& bySheet) {
-    std::vector<int> about = finding.kind->blanks;
-    const auto keep = [&](const std::vector<int>& others) {
-        std::vector<int> both;
-        std::ranges::copy_if(about, std::back_inserter(both), [&](int blank) { return std::ranges::find(others, blank) != others.end(); });
-        if (!both.empty()) about = std::move(both);
-    };
-    if (finding.stage) keep(blanksOfStage(finding.stage->stage, family, blanks));
-    if (!bySheet.empty()) {
-        // What the sheet says is more than what the kind of scene was thought to be about.
-        const std::vector<int> kinds = about;
-        keep(bySheet);
-        if (about == kinds && std::ranges::none_of(kinds, [&](int blank) { return std::ranges::find(bySheet, blank) != bySheet.end(); }))
-            about = bySheet;
-    }
-    return about;
+    const std::vector<int> about = bySheet.empty() ? finding.kind->blanks : bySheet;
+    if (!finding.stage) return about;
+    const std::vector<int> inStage = blanksUpTo(finding.stage->stage, family, blanks);
+    std::vector<int> both;
+    std::ranges::copy_if(about, std::back_inserter(both), [&](int blank) { return std::ranges::find(inStage, blank) != inStage.end(); });
+    return both.empty() ? about : both;
 }
 
 std::string lessonText(const Finding& finding, const Candidate& candidate, const Family& family, const std::string& stem) {

@@ -15,8 +15,8 @@ std::string sceneInWords(const SearchScene& scene);
 /// "Two triangles and a lamp: here your shadow is missing. ..." Says what is observed, and where.
 std::string sentenceOf(const Finding& finding);
 
-/// The blanks that it may be about, by number: those of the scene's kind; of these, where a stage of the plug-in is the first that is wrong,
-/// those in what makes that stage; and of these, where the cases of a score sheet speak of some, those. Empty: nothing can be told.
+/// The blanks that it may be about, by number: those that the cases of the score sheet tell of (`bySheet`, likelyBlanks()), else those of
+/// the scene's kind; and of these, where a stage of the plug-in is the first that is wrong, those in the source of the passes that lead to it.
 std::vector<int> blanksAbout(const Finding& finding, const Family& family, const std::vector<Blank>& blanks,
                              const std::vector<int>& bySheet);
 

@@ -2,6 +2,7 @@
 #include "app/student/search/search.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/picture/stage_ref.h"
 #include "app/student/grading/picture_difference.h"
@@ -14,6 +15,11 @@ namespace shadowlab::student {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// Of the time; the rest is for making a scene smaller.
+constexpr double kForTrying = 0.75;
+// A scene that a student takes in at once: a box, or three pyramids. Where the first that fails cannot be made so small, others are tried.
+constexpr int kSmall = 12;
 
 bool hasOneColour(const image::Image& picture) {
     for (std::size_t i = image::kChannels; i < picture.rgba.size(); ++i)
@@ -94,9 +100,10 @@ Finding madeSmall(SceneTrials& trials, const SearchScene& scene, int number, con
 SearchResult search(SceneTrials& trials, const SearchPlan& plan, const std::function<void(int)>& done) {
     const Clock::time_point begin = Clock::now();
     SearchResult result;
-    for (int number = 0; number < plan.scenes && !result.finding; ++number) {
-        if (Clock::now() - begin > plan.time / 2.0) {
-            result.isOutOfTime = true;
+    const auto isSmall = [&] { return result.finding && triangleCount(result.finding->scene) <= kSmall; };
+    for (int number = 0; number < plan.scenes && !isSmall(); ++number) {
+        if (Clock::now() - begin > kForTrying * plan.time) {
+            result.isOutOfTime = !result.finding;
             break;
         }
         const SearchScene scene = randomScene(trials.family(), plan.seed, number);
@@ -105,9 +112,11 @@ SearchResult search(SceneTrials& trials, const SearchPlan& plan, const std::func
         ++result.tried;
         result.unfair += !trial.isFair;
         done(result.tried);
-        if (trial.fails(leastWrong(trials.family(), judged)))
-            result.finding = madeSmall(trials, scene, number, [&] { return Clock::now() - begin < plan.time; });
+        if (!trial.fails(leastWrong(trials.family(), judged))) continue;
+        Finding finding = madeSmall(trials, scene, number, [&] { return Clock::now() - begin < plan.time; });
+        if (!result.finding || triangleCount(finding.scene) < triangleCount(result.finding->scene)) result.finding = std::move(finding);
     }
+    if (result.finding) trials.tryScene(result.finding->scene, result.finding->kind->judged); // again the last one
     result.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     return result;
 }

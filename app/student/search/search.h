@@ -15,7 +15,7 @@ namespace shadowlab::student {
 
 struct SearchPlan {
     int scenes = 60;
-    std::chrono::seconds time{60}; ///< of all of it: half of it is kept for making the scene smaller
+    std::chrono::seconds time{60}; ///< of all of it: a quarter is kept for making the scene smaller
     std::uint64_t seed = 1;
 };
 
@@ -45,6 +45,7 @@ struct SearchResult {
     std::optional<Finding> finding;
 };
 
+/// Ends with the first scene that fails, if it can be made as small as twelve triangles; else others are tried, and the smallest is found.
 /// `done` is told how many scenes are through. Same plug-in, plan and program, same result, unless the time is over first.
 SearchResult search(SceneTrials& trials, const SearchPlan& plan, const std::function<void(int)>& done);
 

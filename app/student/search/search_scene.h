@@ -15,6 +15,7 @@ struct SearchObject {
     std::vector<dvec3> cornersWorld{};
     std::vector<uvec3> triangles{}; ///< counter-clockwise seen from their front
     bool castsShadow = true;
+    bool isWhole = false; ///< taken away altogether or not at all: half of a floor is a strange sight
     bool isMirrored = false; ///< written as the mirror image, under a scale of -1
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace shadowlab::student {
@@ -12,6 +13,27 @@ namespace {
 
 /// To multiples of a step. Steps are one over a whole number: so the results are the numbers that are read from "0.1", "0.35".
 dvec3 rounded(const dvec3& v, double perMetre) { return glm::round(v * perMetre) / perMetre; }
+
+/// Four corners of a body, far from each other, and the triangles between them. Nothing where it has no more than four triangles, or is flat.
+std::optional<SearchObject> tetrahedronIn(const SearchObject& body) {
+    constexpr std::size_t kTriangles = 4;
+    if (body.triangles.size() <= kTriangles) return std::nullopt;
+    const auto farthest = [&](auto&& away) { return *std::ranges::max_element(body.cornersWorld, {}, away); };
+    const dvec3 a = body.cornersWorld.front();
+    const dvec3 b = farthest([&](const dvec3& p) { return glm::distance(p, a); });
+    const dvec3 c = farthest([&](const dvec3& p) { return glm::length(glm::cross(b - a, p - a)); });
+    const dvec3 normal = glm::cross(b - a, c - a);
+    const dvec3 d = farthest([&](const dvec3& p) { return std::abs(glm::dot(normal, p - a)); });
+    const double side = glm::dot(normal, d - a);
+    if (side == 0) return std::nullopt;
+    SearchObject simple = body;
+    simple.cornersWorld = {a, b, c, d};
+    simple.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    if (side < 0)
+        for (uvec3& triangle : simple.triangles)
+            std::swap(triangle.y, triangle.z);
+    return simple;
+}
 
 class Shrinker {
 public:
@@ -23,7 +45,7 @@ public:
             smaller = removeLights();
             smaller |= removeObjects();
             for (std::size_t object = 0; object < best_.objects.size(); ++object)
-                smaller |= removeTriangles(object);
+                if (!best_.objects[object].isWhole) smaller |= simplify(object) || removeTriangles(object);
         }
         tidyNumbers();
         return {best_, attempts_};
@@ -59,6 +81,15 @@ private:
             any |= take(std::move(scene));
         }
         return any;
+    }
+
+    /// Puts a tetrahedron in place of a larger body: closed bodies may fail where nothing can be taken off them.
+    bool simplify(std::size_t object) {
+        const std::optional<SearchObject> simple = tetrahedronIn(best_.objects[object]);
+        if (!simple) return false;
+        SearchScene scene = best_;
+        scene.objects[object] = *simple;
+        return take(std::move(scene));
     }
 
     /// First half of them, then quarters, and at last one by one.

@@ -20,8 +20,8 @@ std::string coderunnerSheet(const Sheet& sheet, const std::vector<Blank>& blanks
                         caseHtml(result, *sheet.family, blanks)});
     std::string before = "<p>" + drawing::escapedMarkup(sheet.family->title) + ": " + std::to_string(sheet.points()) + " of " +
                          std::to_string(sheet.mostPoints()) + " points.</p>";
-    if (const std::vector<int> likely = likelyBlanks(sheet); !likely.empty())
-        before += "<p>These cases fail, and no others, with " + drawing::escapedMarkup(namesOf(likely, blanks)) + " left empty or filled in wrongly.</p>";
+    if (const std::string likely = likelyText(sheet, blanks); !likely.empty())
+        before += "<p>" + drawing::escapedMarkup(likely) + "</p>";
     const Json outcome{{"fraction", static_cast<double>(sheet.points()) / sheet.mostPoints()},
                        {"prologuehtml", before},
                        {"testresults", rows},

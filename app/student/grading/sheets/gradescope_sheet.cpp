@@ -32,8 +32,8 @@ std::string gradescopeSheet(const Sheet& sheet, const std::vector<Blank>& blanks
                          {"visibility", "visible"}});
     std::string output = std::string(sheet.family->title) + ": " + std::to_string(sheet.points()) + " of " +
                          std::to_string(sheet.mostPoints()) + " points.";
-    if (const std::vector<int> likely = likelyBlanks(sheet); !likely.empty())
-        output += " These cases fail, and no others, with " + namesOf(likely, blanks) + " left empty or filled in wrongly.";
+    if (const std::string likely = likelyText(sheet, blanks); !likely.empty())
+        output += " " + likely;
     const Json results{{"score", sheet.points()},
                        {"output", output},
                        {"output_format", "text"},

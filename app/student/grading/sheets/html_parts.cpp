@@ -25,6 +25,7 @@ std::string caseText(const CaseResult& result, const Family& family, const std::
     if (result.isRight()) return "Right: " + std::to_string(*result.wrong) + " wrong pixels, " + std::to_string(result.which->limit) + " may be.";
     std::string text = whatIsWrong(result, family) + " " + std::string(result.which->hint);
     if (const std::string names = namesOf(numbersIn(result.which->blanks), blanks); !names.empty()) text += " It is about " + names + ".";
+    else text += " It is about several blanks: " + std::string(result.which->blanks) + ".";
     return text;
 }
 

@@ -24,8 +24,8 @@ std::string htmlSheet(const Sheet& sheet, const std::vector<Blank>& blanks, cons
                        drawing::escapedMarkup(title) + "</title>\n<style>" + std::string(kStyle) + "</style></head>\n<body>\n<h1>" + drawing::escapedMarkup(title) + "</h1>\n<p>" +
                        drawing::escapedMarkup(sheet.candidate.plugin.filename().string()) + ", <strong>" + std::to_string(sheet.points()) + " of " +
                        std::to_string(sheet.mostPoints()) + " points</strong></p>\n";
-    if (const std::vector<int> likely = likelyBlanks(sheet); !likely.empty())
-        html += "<p>These cases fail, and no others, with " + drawing::escapedMarkup(namesOf(likely, blanks)) + " left empty or filled in wrongly.</p>\n";
+    if (const std::string likely = likelyText(sheet, blanks); !likely.empty())
+        html += "<p>" + drawing::escapedMarkup(likely) + "</p>\n";
     html += "<table><thead><tr><th>case</th><th>idea</th><th>blanks</th><th>wrong pixels</th><th>limit</th><th>points</th></tr></thead><tbody>\n";
     for (const CaseResult& result : sheet.results) {
         const std::string id(result.which->id);
