@@ -72,13 +72,13 @@ void describeGrade(DescribedOptions& add) {
     add.option("--seconds", "S", "for the search (default 60)");
     add.option("--seed", "K", "of the random scenes: same seed, same scenes (default 1)");
     add.option("--sandbox", "auto|on|off",
-               "runs the plug-in without network, home folder and other processes, by bwrap: where that can be had (default), or not at all "
-               "without it");
+               "runs the plug-in without network, home folder and other processes, by bwrap: where that can be had (default); on: else it "
+               "is not run; off: never");
     add.option("--time-limit", "SECONDS", "for each case (default 30)");
     add.option("--memory-limit", "MIB", "for each case (default 2048)");
     describeBackend(add);
     add.flag("--json", "one JSON object instead of a table");
-    add.footer("Ends with status 0 where all cases are right, and with 1 where some are not.\n"
+    add.footer("Ends with status 0 where all cases are right and a search finds nothing, else with 1.\n"
                "Examples:\n"
                "  shadowlab grade --plugin build/anna.so\n"
                "  shadowlab grade --plugin build/anna.so --family shadow-volume -o sheets --json\n"

@@ -97,7 +97,7 @@ SandboxWanted sandboxFromName(std::string_view name) {
     if (name == "auto") return SandboxWanted::automatic;
     if (name == "on") return SandboxWanted::required;
     if (name == "off") return SandboxWanted::none;
-    throw Error(ExitStatus::usage, "--sandbox: '" + std::string(name) + "' is none of auto, on, off");
+    throw Error(ExitStatus::usage, "--sandbox: '" + std::string(name) + "' is no way to run; write auto, on or off");
 }
 
 Sandbox::Sandbox(SandboxWanted wanted, fs::path program) : program_(program.empty() ? programFile() : std::move(program)) {
