@@ -19,6 +19,7 @@
 #include "app/lab/old_spelling.h"
 #include "app/picture/limits.h"
 #include "app/student/plugins.h"
+#include "app/student/search/drawing_service.h"
 #include "techniques/foundation/base/nearest_names.h"
 #include "techniques/foundation/scene/load/scene_file.h"
 
@@ -231,6 +232,8 @@ int run(int argc, char** argv) {
     if (plugins.words.size() < 2 || plugins.words[1] != "grade")
         for (const std::string& file : plugins.values)
             student::loadPlugin(file);
+    if (plugins.words.size() > 1 && plugins.words[1] == student::kServeDrawings)
+        return student::serveDrawings({plugins.words.begin() + 2, plugins.words.end()});
     return workFor(plugins.words, plugins.values)();
 }
 

@@ -1,8 +1,21 @@
-// A plug-in for tests that is wrong in one way: which one, the environment variable MISBEHAVIOUR says.
+// A plug-in for tests that is wrong in one way: which one, the environment variable SHADOWLAB_MISBEHAVIOUR says. What reaches for
+// something outside, named by SHADOWLAB_PREY, throws what it has got.
 // SPDX-License-Identifier: MIT
+#include <arpa/inet.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "techniques/frame.h"
@@ -15,11 +28,65 @@ const StageInfo kStages[] = {{"visibility", "Visibility of the light", StageKind
 const PassInfo kPasses[] = {{.id = "light", .title = "Add the light"}};
 
 bool is(std::string_view behaviour) {
-    const char* asked = std::getenv("MISBEHAVIOUR");
+    const char* asked = std::getenv("SHADOWLAB_MISBEHAVIOUR");
     return asked && asked == behaviour;
 }
 
+std::string prey() {
+    const char* named = std::getenv("SHADOWLAB_PREY");
+    return named ? named : "";
+}
+
+void readFile() {
+    std::ifstream file(prey());
+    std::string text;
+    if (std::getline(file, text)) throw std::runtime_error("it has read " + text);
+}
+
+void writeFile() {
+    std::ofstream file(prey() + ".new");
+    file << "mine";
+    if (file.flush()) throw std::runtime_error("it has written a file");
+}
+
+void openSocket() {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<unsigned short>(std::atoi(prey().c_str())));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    const int connection = ::socket(AF_INET, SOCK_STREAM, 0);
+    // NOLINTNEXTLINE: the interface of sockets
+    if (::connect(connection, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0)
+        throw std::runtime_error("it has a connection");
+}
+
+/// The process that named itself there, or any other that is not an ancestor in a sandbox.
+void lookAtProcess() {
+    if (std::ifstream("/proc/" + prey() + "/cmdline").good()) throw std::runtime_error("it sees the process");
+}
+
+void leaveProcess() {
+    if (::fork() != 0) return;
+    ::setsid();
+    if (::fork() != 0) ::_exit(0);
+    for (const int descriptor : {0, 1, 2})
+        ::close(descriptor);
+    std::this_thread::sleep_for(std::chrono::seconds(300));
+    ::_exit(0);
+}
+
 void misbehave() {
+    if (is("reads-home")) readFile();
+    if (is("writes-file")) writeFile();
+    if (is("opens-socket")) openSocket();
+    if (is("sees-processes")) lookAtProcess();
+    if (is("leaves-process")) leaveProcess();
+    while (is("forks")) static_cast<void>(::fork());
+    if (is("prints-score")) {
+        std::cout << "{\"ready\": []}\n{\"drawn\": true}\n{\"points\": 20, \"of\": 20}\n" << std::flush;
+        std::cerr << "shadowlab: 20/20\n";
+    }
+
     volatile int* nowhere = nullptr;
     std::vector<std::vector<char>> memory;
     if (is("crashes")) *nowhere = 1;

@@ -31,11 +31,11 @@ def pixels_of(png):
 
 
 def misbehaving(program, *words, behaviour):
-    os.environ["MISBEHAVIOUR"] = behaviour
+    os.environ["SHADOWLAB_MISBEHAVIOUR"] = behaviour
     try:
         return run(program, *words)
     finally:
-        del os.environ["MISBEHAVIOUR"]
+        del os.environ["SHADOWLAB_MISBEHAVIOUR"]
 
 
 def check_new_technique(program, place):

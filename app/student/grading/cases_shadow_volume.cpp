@@ -10,21 +10,21 @@ namespace {
 constexpr std::string_view kExactVolume = "volumes are exact but for cracks between triangles, a pixel here and there";
 
 constexpr std::array kShadowVolumeCases = std::to_array<Case>({
-    {"volume-lamp", "silhouette, extrusion and count, for a lamp", 8, kExactVolume, 3,
+    {"volume-lamp", "silhouette, extrusion and count, for a lamp", "1 2 3", 8, kExactVolume, 3,
      "Draw the volumes as a picture, front faces in one colour, back faces in another: are they closed?"},
-    {"volume-sun", "the same for the sun: all sides meet at infinity", 8, kExactVolume, 2,
+    {"volume-sun", "the same for the sun: all sides meet at infinity", "1 3", 8, kExactVolume, 2,
      "The light is a homogeneous point: from v it lies toward light.xyz - light.w v, for lamp and sun alike."},
-    {"volume-knot", "a mesh that shadows itself", 20, kExactVolume, 2,
+    {"volume-knot", "a mesh that shadows itself", "1 2", 20, kExactVolume, 2,
      "The top cap lies on the caster's own surface: same vertices, same order, depth test LESS and not LEQUAL."},
-    {"volume-eye-inside", "the eye stands in a shadow", 8, kExactVolume, 3,
+    {"volume-eye-inside", "the eye stands in a shadow", "7", 8, kExactVolume, 3,
      "Count what lies behind the point, where the depth test fails. What lies before it begins with the eye."},
-    {"volume-along-light", "volumes are closed at infinity", 12, kExactVolume, 2,
+    {"volume-along-light", "volumes are closed at infinity", "4", 12, kExactVolume, 2,
      "A line that stays in a volume to its end leaves it through the bottom cap."},
-    {"volume-mirrored", "meshes that a mirror has turned inside out", 8, kExactVolume, 2,
+    {"volume-mirrored", "meshes that a mirror has turned inside out", "1 2", 8, kExactVolume, 2,
      "Which corner order is the front depends on the object: scene::isMirrored, glFrontFace."},
-    {"volume-row", "points in several volumes at once", 12, kExactVolume, 2,
+    {"volume-row", "points in several volumes at once", "5 6", 12, kExactVolume, 2,
      "Add and take, and wrap: a count may go below zero on its way."},
-    {"volume-long", "a shadow falls as far as there is something", 12, kExactVolume, 2,
+    {"volume-long", "a shadow falls as far as there is something", "3", 12, kExactVolume, 2,
      "Extrude to infinity (w = 0), and clamp depths, so that the far plane does not cut the volume open."},
 });
 

@@ -2,6 +2,7 @@
 #include "app/student/grading/families.h"
 
 #include <array>
+#include <sstream>
 #include <string>
 
 #include "techniques/foundation/base/error.h"
@@ -19,6 +20,14 @@ std::span<const Family> families() {
          {"ray-tracing", "Ray tracing", rayTracingCases(), "lecture-ray-tracing", 2},
          {"radiosity", "Radiosity", radiosityCases(), "lecture-radiosity", 6}}};
     return all;
+}
+
+std::vector<int> numbersIn(std::string_view text) {
+    std::vector<int> numbers;
+    std::istringstream words{std::string(text)};
+    for (int number = 0; words >> number;)
+        numbers.push_back(number);
+    return numbers;
 }
 
 std::string_view toText(Judged judged) {

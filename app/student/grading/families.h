@@ -18,10 +18,15 @@ enum class Judged {
 /// "visibility", "picture", "tree-depth".
 std::string_view toText(Judged judged);
 
+/// "1 2": the numbers.
+std::vector<int> numbersIn(std::string_view text);
+
 /// One scene that asks about one idea. Every case is a picture of kCaseWidth x kCaseHeight pixels of the scene's own camera.
 struct Case {
     std::string_view id;     ///< also its scene: assets/grading/ID.json
     std::string_view idea;   ///< what is tested, in words
+    /// Numbers of the blanks of the family's skeleton that it is about, with blanks between.
+    std::string_view blanks;
     int limit = 0;           ///< as many pixels may be wrong
     std::string_view reason; ///< why that many
     int points = 1;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/student/grading/grader.h"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
+#include <algorithm>
 #include <memory>
 #include <numeric>
 
@@ -15,6 +13,7 @@
 #include "app/picture/session.h"
 #include "app/student/grading/picture_difference.h"
 #include "app/student/grading/score_picture.h"
+#include "app/student/grading/temporary_folder.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/png/png.h"
 #include "techniques/foundation/scene/load/load.h"
@@ -25,29 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the pictures of the children go.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::error_code failed;
-        std::string name = (fs::temp_directory_path(failed) / "shadowlab-grade-XXXXXX").string();
-        if (failed || !::mkdtemp(name.data()))
-            throw Error(ExitStatus::cannotWrite,
-                        name + ": " + std::strerror(errno) + "; name another folder for temporary files with TMPDIR");
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    [[nodiscard]] fs::path file(const std::string& name) const { return path_ / name; }
-
-private:
-    fs::path path_;
-};
-
 fs::path sceneOf(const Case& which) { return context::assetsRoot() / "grading" / (std::string(which.id) + ".json"); }
 
 /// A picture that another process drew; or why there is none.
@@ -56,27 +32,12 @@ struct Drawn {
     std::string failure;
 };
 
-/// Without a plug-in the technique is one of the program's own. Drawn is a stage; Judged::picture: the finished picture.
-Drawn draw(const Candidate& candidate, const Case& which, Judged stage, const ChildLimits& limits,
-           const TemporaryFolder& folder) {
-    const fs::path file = folder.file(std::string(which.id) + "-" + std::string(toText(stage)) + ".png");
-    std::vector<std::string> words{"capture",   sceneOf(which).string(),
-                                   "-t",        candidate.technique,
-                                   "-o",        file.string(),
-                                   "--size",    std::to_string(kCaseWidth) + "x" + std::to_string(kCaseHeight),
-                                   "--labels",  "false",
-                                   "--backend", candidate.backend};
-    if (!candidate.plugin.empty()) words.insert(words.end(), {"--plugin", candidate.plugin.string()});
-    if (stage != Judged::picture) words.insert(words.end(), {"--stage", std::string(toText(stage))});
-    const ChildEnd end = runChild(words, limits);
-    if (end.how != ChildEnd::How::finished) return {std::nullopt, end.message};
-    try {
-        image::Image picture = image::loadPng(file);
-        if (picture.width == kCaseWidth && picture.height == kCaseHeight) return {std::move(picture), ""};
-    } catch (const Error&) {
-        // A plug-in that ends the program itself may leave half of a file, or none.
-    }
-    return {std::nullopt, "it ended the program before the picture was written"};
+// A picture of a case has less than half a megabyte of pixels. What else a plug-in has put in its place is not read.
+constexpr std::uintmax_t kMostBytes = 4 << 20;
+
+bool isPictureFile(const fs::path& file) {
+    std::error_code failed;
+    return fs::symlink_status(file, failed).type() == fs::file_type::regular && fs::file_size(file, failed) <= kMostBytes && !failed;
 }
 
 std::vector<std::uint8_t> greyAlphaOf(const image::Image& picture) {
@@ -90,15 +51,42 @@ std::vector<std::uint8_t> greyAlphaOf(const image::Image& picture) {
 
 class Grader {
 public:
-    Grader(const Candidate& candidate, const ChildLimits& limits) : candidate_(candidate), limits_(limits) {}
+    Grader(const Candidate& candidate, const Conditions& conditions) : candidate_(candidate), conditions_(conditions) {}
 
-    CaseResult judge(const Family& family, const Case& which, image::Image& failing) {
-        return which.judged == Judged::visibility ? judgeVisibility(which, failing)
-                                                  : judgePicture(family, which, failing);
+    CaseResult judge(const Family& family, const Case& which) {
+        return which.judged == Judged::visibility ? judgeVisibility(which) : judgePicture(family, which);
     }
 
 private:
-    CaseResult judgeVisibility(const Case& which, image::Image& failing) {
+    /// Without a plug-in the technique is one of the program's own. Drawn is a stage; Judged::picture: the finished picture. Each has a
+    /// folder of its own to write in, so that no picture of another is within reach.
+    Drawn draw(const Candidate& candidate, const Case& which, Judged stage) {
+        const fs::path scene = sceneOf(which), folder = folder_.folder(std::to_string(++drawn_)), file = folder / "picture.png";
+        std::vector<std::string> words{"capture",   scene.string(),
+                                       "-t",        candidate.technique,
+                                       "-o",        file.string(),
+                                       "--size",    std::to_string(kCaseWidth) + "x" + std::to_string(kCaseHeight),
+                                       "--labels",  "false",
+                                       "--backend", candidate.backend};
+        SandboxRoom room{folder, {}};
+        if (!candidate.plugin.empty()) {
+            room.readable.push_back(candidate.plugin);
+            words.insert(words.end(), {"--plugin", fs::absolute(candidate.plugin).string()});
+        }
+        if (stage != Judged::picture) words.insert(words.end(), {"--stage", std::string(toText(stage))});
+        const ChildEnd end = runChild(words, conditions_.limits, conditions_.sandbox, room);
+        if (end.how != ChildEnd::How::finished) return {std::nullopt, end.message};
+        try {
+            if (isPictureFile(file))
+                if (image::Image picture = image::loadPng(file); picture.width == kCaseWidth && picture.height == kCaseHeight)
+                    return {std::move(picture), ""};
+        } catch (const Error&) {
+            // A plug-in that ends the program itself may leave half of a file, or none.
+        }
+        return {std::nullopt, "it ended the program before the picture was written"};
+    }
+
+    CaseResult judgeVisibility(const Case& which) {
         const scene::Snapshot scene = scene::loadScene(
             sceneOf(which).string(), {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = picture::limits()});
         picture::Session session(scene);
@@ -107,38 +95,38 @@ private:
         view.size = {kCaseWidth, kCaseHeight};
         const judge::Truth& truth = session.truth(view, picture::LightTruth(0));
 
-        const Drawn drawn = draw(candidate_, which, Judged::visibility, limits_, folder_);
+        const Drawn drawn = draw(candidate_, which, Judged::visibility);
         // Without a picture nothing is shown anywhere.
         const std::vector<std::uint8_t> greyAlpha =
             drawn.picture ? greyAlphaOf(*drawn.picture) : std::vector<std::uint8_t>(2 * truth.visibility.size(), 0);
         const judge::Judgement judgement = judge::judge(truth, greyAlpha);
-        CaseResult result{&which, std::nullopt, drawn.failure, judgement.counts};
+        CaseResult result{&which, std::nullopt, drawn.failure, judgement.counts, {}};
         if (drawn.picture) result.wrong = judgement.counts.wrong() + judgement.counts.stray;
-        if (!result.isRight() && failing.rgba.empty()) {
-            Drawn seen = drawn.picture ? draw(candidate_, which, Judged::picture, limits_, folder_) : drawn;
-            failing = scorePicture(std::move(seen.picture), seen.failure, truth, judgement);
+        if (!result.isRight()) {
+            Drawn seen = drawn.picture ? draw(candidate_, which, Judged::picture) : drawn;
+            result.picture = scorePicture(std::move(seen.picture), seen.failure, truth, judgement);
         }
         return result;
     }
 
-    CaseResult judgePicture(const Family& family, const Case& which, image::Image& failing) {
-        const Drawn right =
-            draw({"", std::string(family.reference), candidate_.backend}, which, which.judged, limits_, folder_);
+    CaseResult judgePicture(const Family& family, const Case& which) {
+        const Drawn right = draw({"", std::string(family.reference), candidate_.backend}, which, which.judged);
         if (!right.picture)
             throw Error(ExitStatus::overLimit, "grade: no picture of " + std::string(family.reference) +
                                                    " for the case " + std::string(which.id) + " (" + right.failure +
                                                    "); give it more with --time-limit or --memory-limit");
-        Drawn drawn = draw(candidate_, which, which.judged, limits_, folder_);
-        CaseResult result{&which, std::nullopt, drawn.failure, {}};
+        Drawn drawn = draw(candidate_, which, which.judged);
+        CaseResult result{&which, std::nullopt, drawn.failure, {}, {}};
         if (drawn.picture) result.wrong = difference(*drawn.picture, *right.picture, family.levels).count;
-        if (!result.isRight() && failing.rgba.empty())
-            failing = scorePicture(std::move(drawn.picture), drawn.failure, *right.picture, family.levels);
+        if (!result.isRight())
+            result.picture = scorePicture(std::move(drawn.picture), drawn.failure, *right.picture, family.levels);
         return result;
     }
 
     Candidate candidate_;
-    ChildLimits limits_;
+    const Conditions& conditions_;
     TemporaryFolder folder_;
+    int drawn_ = 0;
 };
 
 } // namespace
@@ -153,8 +141,27 @@ int Sheet::mostPoints() const {
                            [](int sum, const CaseResult& result) { return sum + result.which->points; });
 }
 
-Declared askPlugin(const fs::path& plugin, const ChildLimits& limits) {
-    const ChildEnd end = runChild({"list", "plugins", "--json", "--plugin", plugin.string()}, limits);
+const CaseResult* Sheet::firstFailing() const {
+    const auto found = std::ranges::find_if(results, [](const CaseResult& result) { return !result.isRight(); });
+    return found == results.end() ? nullptr : &*found;
+}
+
+std::string whatIsWrong(const CaseResult& result, const Family& family) {
+    if (!result.wrong) return "no picture: " + result.failure + ".";
+    if (result.which->judged != Judged::visibility)
+        return std::to_string(*result.wrong) + " pixels are more than " + std::to_string(family.levels) + " of 255 levels off.";
+    return std::to_string(result.counts.falseLit) + " pixels lit that should be dark, " + std::to_string(result.counts.falseShadow) +
+           " dark that should be lit.";
+}
+
+Declared askPlugin(const fs::path& plugin, const Conditions& conditions) {
+    std::error_code none; // what is no file cannot be given to a sandbox: that it is none is said by the program itself
+    const bool isThere = fs::exists(plugin, none);
+    const std::string absolute = fs::absolute(plugin).string();
+    const std::vector<std::string> words{"list", "plugins", "--json", "--plugin", absolute};
+    ChildEnd end = isThere ? runChild(words, conditions.limits, conditions.sandbox, {{}, {plugin}})
+                           : runChild(words, conditions.limits, Sandbox(SandboxWanted::none), {});
+    if (end.message.starts_with(absolute)) end.message.replace(0, absolute.size(), plugin.string()); // as it was given
     if (end.how == ChildEnd::How::failed) throw Error(ExitStatus::badInput, end.message);
     const auto refuse = [&](const std::string& why) {
         throw Error(ExitStatus::badInput, plugin.string() + ": " + why +
@@ -171,13 +178,13 @@ Declared askPlugin(const fs::path& plugin, const ChildLimits& limits) {
     return declared;
 }
 
-Sheet grade(const Candidate& candidate, const Family& family, const ChildLimits& limits,
+Sheet grade(const Candidate& candidate, const Family& family, const Conditions& conditions,
             const std::function<void(int)>& done) {
-    Sheet sheet{&family, candidate, {}, {}};
-    Grader grader(candidate, limits);
+    Sheet sheet{&family, candidate, {}};
+    Grader grader(candidate, conditions);
     for (const Case& which : family.cases) {
         context::throwIfInterrupted();
-        sheet.results.push_back(grader.judge(family, which, sheet.firstFailing));
+        sheet.results.push_back(grader.judge(family, which));
         done(static_cast<int>(sheet.results.size()));
     }
     return sheet;

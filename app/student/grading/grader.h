@@ -25,11 +25,18 @@ struct Candidate {
     std::string backend = "auto"; ///< what it draws with
 };
 
+/// How its processes run.
+struct Conditions {
+    ChildLimits limits;
+    Sandbox sandbox;
+};
+
 struct CaseResult {
     const Case* which = nullptr;
     std::optional<int> wrong; ///< pixels; none: it drew no picture
     std::string failure;      ///< why it drew none
     judge::Counts counts;     ///< of visibility: of the truth and, if there is a picture, of what is wrong in it
+    image::Image picture;     ///< of a case that is not right: student, what is right, difference
     [[nodiscard]] bool isRight() const { return wrong && *wrong <= which->limit; }
     [[nodiscard]] int points() const { return isRight() ? which->points : 0; }
 };
@@ -38,10 +45,13 @@ struct Sheet {
     const Family* family = nullptr;
     Candidate candidate;
     std::vector<CaseResult> results;
-    image::Image firstFailing; ///< student, what is right, difference; empty where all is right
     [[nodiscard]] int points() const;
     [[nodiscard]] int mostPoints() const;
+    [[nodiscard]] const CaseResult* firstFailing() const; ///< nullptr where all is right
 };
+
+/// What is wrong in a case that is not right, as sentences.
+std::string whatIsWrong(const CaseResult& result, const Family& family);
 
 /// Asks a plug-in, in a process of its own, which techniques it has and which family it says it is of (empty: none). Throws Error
 /// (badInput) with the line that its loading failed with.
@@ -49,10 +59,10 @@ struct Declared {
     std::vector<std::string> techniques;
     std::string family;
 };
-Declared askPlugin(const std::filesystem::path& plugin, const ChildLimits& limits);
+Declared askPlugin(const std::filesystem::path& plugin, const Conditions& conditions);
 
 /// Needs a current GL context, for the ties of the truth. `done` is told how many cases are through.
-Sheet grade(const Candidate& candidate, const Family& family, const ChildLimits& limits,
+Sheet grade(const Candidate& candidate, const Family& family, const Conditions& conditions,
             const std::function<void(int)>& done);
 
 } // namespace shadowlab::student

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "app/student/grading/blank_names.h"
+
+#include "app/context/assets.h"
+#include "app/student/skeletons.h"
+
+namespace shadowlab::student {
+
+std::vector<Blank> blanksOf(const Family& family) {
+    for (const std::string& name : skeletonNames()) {
+        if (name == "empty") continue;
+        if (Skeleton skeleton = readSkeleton(context::assetsRoot() / "skeletons" / (name + ".json")); skeleton.family == family.id)
+            return std::move(skeleton.blanks);
+    }
+    return {};
+}
+
+std::string namesOf(const std::vector<int>& numbers, const std::vector<Blank>& blanks) {
+    constexpr std::size_t kMost = 3; // of four or more none is meant
+    if (numbers.size() > kMost) return "";
+    std::string names;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const bool isLast = i + 1 == numbers.size();
+        names += (i == 0 ? "" : isLast ? ", or " : ", ") + std::string("blank ") + std::to_string(numbers[i]) + " (" +
+                 blanks.at(static_cast<std::size_t>(numbers[i]) - 1).idea + ")";
+    }
+    return names;
+}
+
+} // namespace shadowlab::student

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "app/student/grading/sheets/html_parts.h"
+
+#include <cstdint>
+
+#include "app/drawing/markup.h"
+#include "techniques/foundation/image/png/png.h"
+
+namespace shadowlab::student {
+
+namespace {
+
+std::string imageHtml(std::string_view type, std::string_view bytes, std::string_view what) {
+    const std::vector<std::uint8_t> data(bytes.begin(), bytes.end());
+    return "<img style=\"max-width:100%\" alt=\"" + drawing::escapedMarkup(what) + "\" src=\"data:image/" + std::string(type) +
+           ";base64," + drawing::base64(data) + "\">";
+}
+
+} // namespace
+
+std::string pictureHtml(std::string_view png, std::string_view what) { return imageHtml("png", png, what); }
+std::string figureHtml(std::string_view svg, std::string_view what) { return imageHtml("svg+xml", svg, what); }
+
+std::string caseText(const CaseResult& result, const Family& family, const std::vector<Blank>& blanks) {
+    if (result.isRight()) return "Right: " + std::to_string(*result.wrong) + " wrong pixels, " + std::to_string(result.which->limit) + " may be.";
+    std::string text = whatIsWrong(result, family) + " " + std::string(result.which->hint);
+    if (const std::string names = namesOf(numbersIn(result.which->blanks), blanks); !names.empty()) text += " It is about " + names + ".";
+    else text += " It is about several blanks: " + std::string(result.which->blanks) + ".";
+    return text;
+}
+
+std::string caseHtml(const CaseResult& result, const Family& family, const std::vector<Blank>& blanks) {
+    std::string html = "<p>" + drawing::escapedMarkup(caseText(result, family, blanks)) + "</p>";
+    if (result.picture.rgba.empty()) return html;
+    const std::vector<std::uint8_t> png = image::encodePng(result.picture);
+    return html + pictureHtml(std::string(png.begin(), png.end()), "The student's picture, what is right, and the difference: " + std::string(result.which->idea));
+}
+
+std::string searchHtml(const SearchReport& search, const std::vector<Blank>& blanks) {
+    std::string html = "<p>" + drawing::escapedMarkup(toText(search)) + "</p>";
+    if (!search.found) return html;
+    const FoundScene& found = *search.found;
+    html += "<p><strong>" + drawing::escapedMarkup(found.sentence) + "</strong></p>";
+    if (const std::string names = namesOf(found.blanks, blanks); !names.empty()) html += "<p>It is about " + drawing::escapedMarkup(names) + ".</p>";
+    if (!found.picture.empty()) html += pictureHtml(found.picture, "The student's picture of the scene, what is right, and the difference");
+    if (!found.figure.empty()) html += figureHtml(found.figure, "The lecture's figure of a wrong pixel");
+    return html;
+}
+
+} // namespace shadowlab::student

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "app/student/search/finding_files.h"
+
+#include <optional>
+#include <utility>
+
+#include "app/context/assets.h"
+#include "app/figures/figures.h"
+#include "app/picture/stage_ref.h"
+#include "app/student/grading/score_picture.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/image/png/png.h"
+#include "techniques/registry.h"
+
+namespace shadowlab::student {
+
+namespace {
+
+std::string asText(const std::vector<std::uint8_t>& bytes) { return {bytes.begin(), bytes.end()}; }
+
+/// The production technique whose probe the figures are drawn from.
+std::string_view probedTechnique(const Family& family) {
+    if (family.id == "planar") return "planar";
+    if (family.id == "shadow-map") return "shadow-map";
+    if (family.id == "shadow-volume") return "shadow-volume-zfail";
+    return family.id == "ray-tracing" ? "ray-traced" : "radiosity";
+}
+
+/// Nothing where the pixel has nothing to draw.
+std::optional<std::string> figureWith(const Family& family, const scene::Snapshot& snapshot, const View& view, int light) {
+    const std::filesystem::path fonts = context::assetsRoot() / "fonts";
+    const image::Font font(fonts / "DejaVuSans.ttf"), bold(fonts / "DejaVuSans-Bold.ttf");
+    picture::Slot slot = picture::Session::makeSlot(probedTechnique(family));
+    try {
+        const Probe probe = slot.technique->probe(snapshot, view, *view.picked, light);
+        return figures::findFigure("pixel").draw({probe, probedTechnique(family), *snapshot, view, light, font, bold}).document();
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+/// The lecture's section figure of the wrong pixel; of patches, with the first place in the picture that it exchanges light with.
+std::optional<std::string> figure(const Finding& finding, const Family& family, const scene::Snapshot& snapshot) {
+    View view = foundView(*snapshot);
+    view.picked = finding.trial.pixel;
+    if (family.id != "radiosity")
+        return figureWith(family, snapshot, view, snapshot->lights.empty() ? kNoLight : std::max(finding.trial.light, 0));
+    constexpr int kEvery = 12; // pixels
+    for (int y = kEvery / 2; y < kSearchHeight; y += kEvery)
+        for (int x = kEvery / 2; x < kSearchWidth; x += kEvery) {
+            view.partner = ivec2(x, y);
+            if (auto drawn = figureWith(family, snapshot, view, kNoLight)) return drawn;
+        }
+    return std::nullopt;
+}
+
+image::Image pictureOf(const Finding& finding, SceneTrials& trials) {
+    constexpr int kScale = 2;
+    SceneDrawer& right = trials.drawerOf(rightTechnique(trials.family()));
+    const View view = foundView(*right.session().snapshot(), kScale);
+    const bool isPicture = finding.trial.light < 0;
+    std::vector<StageKey> stages{StageKey{}};
+    if (!isPicture) stages.push_back(picture::visibilityOf(finding.trial.light));
+    const Painted painted = trials.painter().paint(trials.lastScene(), stages, kScale);
+    std::optional<image::Image> student;
+    std::string failure = painted.failure;
+    try {
+        if (failure.empty()) student = image::decodePng(painted.files.front(), "picture").image;
+    } catch (const Error&) {
+        failure = "it left no picture";
+    }
+    if (student && (student->width != view.size.x || student->height != view.size.y)) student.reset();
+    if (isPicture) return scorePicture(std::move(student), failure, right.picture(view, {}), trials.family().levels);
+    const judge::Truth& truth = right.session().truth(view, picture::LightTruth(finding.trial.light));
+    std::vector<std::uint8_t> greyAlpha(2 * truth.visibility.size(), 0);
+    if (student && painted.files[1].size() == greyAlpha.size()) greyAlpha = painted.files[1];
+    return scorePicture(std::move(student), failure, truth, judge::judge(truth, greyAlpha));
+}
+
+} // namespace
+
+std::map<std::string, std::string> filesOf(const Finding& finding, SceneTrials& trials, const Candidate& candidate,
+                                           const std::string& stem) {
+    const Family& family = trials.family();
+    std::map<std::string, std::string> files = filesOf(finding.scene, stem, sentenceOf(finding));
+    files.emplace(stem + ".png", asText(image::encodePng(pictureOf(finding, trials))));
+    if (!finding.trial.failure.empty()) return files;
+    if (finding.isFresh) files.emplace(stem + "-lesson.json", lessonText(finding, candidate, family, stem));
+    if (auto drawn = figure(finding, family, loadFoundScene(trials.lastScene()))) files.emplace(stem + ".svg", std::move(*drawn));
+    return files;
+}
+
+} // namespace shadowlab::student

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "app/student/search/search.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/picture/stage_ref.h"
+#include "app/student/grading/picture_difference.h"
+#include "app/student/search/shrink.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/image/png/png.h"
+
+namespace shadowlab::student {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Of the time; the rest is for making a scene smaller.
+constexpr double kForTrying = 0.75;
+// A scene that a student takes in at once: a box, or three pyramids. Where the first that fails cannot be made so small, others are tried.
+constexpr int kSmall = 12;
+
+bool hasOneColour(const image::Image& picture) {
+    for (std::size_t i = image::kChannels; i < picture.rgba.size(); ++i)
+        if (picture.rgba[i] != picture.rgba[i - image::kChannels]) return false;
+    return true;
+}
+
+/// The first stage of the lecture's algorithm that the plug-in has as well, and shows otherwise.
+std::optional<StageEvidence> evidence(SceneTrials& trials, int light) {
+    SceneDrawer& right = trials.drawerOf(rightTechnique(trials.family()));
+    const View view = foundView(*right.session().snapshot());
+    const std::vector<std::string>& its = trials.painter().stages();
+    // A share of the pixels: rounding changes a few, and lines of an outline.
+    constexpr int kShare = 100;
+    for (const StageInfo& stage : right.info().stages) {
+        if (stage.id == kVisibilityStage || std::ranges::find(its, stage.id) == its.end()) continue;
+        const StageKey key{std::string(stage.id), stage.perLight ? std::max(light, 0) : kNoLight};
+        if (stage.perLight && right.session().snapshot()->lights.empty()) continue;
+        const Painted painted = trials.painter().paint(trials.lastScene(), {key});
+        if (!painted.failure.empty()) continue;
+        try {
+            const image::Image rightly = right.picture(view, key), picture = image::decodePng(painted.files.front(), "stage").image;
+            if (hasOneColour(rightly)) continue;
+            if (hasOneColour(picture)) return StageEvidence{key.id, true};
+            const bool sameSize = picture.width == rightly.width && picture.height == rightly.height;
+            if (!sameSize || difference(picture, rightly, 4).count > rightly.width * rightly.height / kShare)
+                return StageEvidence{key.id, false};
+        } catch (const Error&) {
+            continue;
+        }
+    }
+    return std::nullopt;
+}
+
+/// What a lesson can say of it: wrong pixels at twice the size on a side.
+void measureForLesson(SceneTrials& trials, Finding& finding) {
+    constexpr int kDouble = 2;
+    SceneDrawer& right = trials.drawerOf(rightTechnique(trials.family()));
+    const View view = foundView(*right.session().snapshot(), kDouble);
+    const bool isPicture = finding.trial.light < 0;
+    const StageKey key = isPicture ? StageKey{} : picture::visibilityOf(finding.trial.light);
+    const Painted painted = trials.painter().paint(trials.lastScene(), {key}, kDouble);
+    if (!painted.failure.empty()) return;
+    if (isPicture) {
+        const image::Image picture = image::decodePng(painted.files.front(), "picture").image;
+        finding.wrongAtDouble = difference(picture, right.picture(view, key), 0).count;
+        return;
+    }
+    const judge::Truth& truth = right.session().truth(view, picture::LightTruth(finding.trial.light));
+    finding.rightAtDouble = judge::judge(truth, right.visibility(view, finding.trial.light)).counts.wrong();
+    finding.wrongAtDouble = judge::judge(truth, painted.files.front()).counts.wrong();
+}
+
+Finding madeSmall(SceneTrials& trials, const SearchScene& scene, int number, const std::function<bool()>& mayGoOn) {
+    Finding finding{number, &kindOf(trials.family(), number), {}, {}, 0, triangleCount(scene), true, {}, 0, 0};
+    const Judged judged = finding.kind->judged;
+    const int least = leastWrong(trials.family(), judged);
+    const bool hadPicture = trials.tryScene(scene, judged).failure.empty();
+    // What fails in the one way is not exchanged for what fails in the other.
+    const auto stillFails = [&](const SearchScene& smaller) {
+        const Trial trial = trials.tryScene(smaller, judged);
+        return trial.fails(least) && trial.failure.empty() == hadPicture;
+    };
+    Shrunk shrunk = shrink(scene, stillFails, mayGoOn);
+    finding.scene = std::move(shrunk.scene);
+    finding.attempts = shrunk.attempts;
+    finding.trial = trials.tryAnew(finding.scene, judged);
+    finding.isFresh = finding.trial.fails(least);
+    if (finding.isFresh && hadPicture) {
+        finding.stage = evidence(trials, finding.trial.light);
+        measureForLesson(trials, finding);
+    }
+    return finding;
+}
+
+} // namespace
+
+SearchResult search(SceneTrials& trials, const SearchPlan& plan, const std::function<void(int)>& done) {
+    const Clock::time_point begin = Clock::now();
+    SearchResult result;
+    const auto isSmall = [&] { return result.finding && triangleCount(result.finding->scene) <= kSmall; };
+    for (int number = 0; number < plan.scenes && !isSmall(); ++number) {
+        if (Clock::now() - begin > kForTrying * plan.time) {
+            result.isOutOfTime = !result.finding;
+            break;
+        }
+        const SearchScene scene = randomScene(trials.family(), plan.seed, number);
+        const Judged judged = kindOf(trials.family(), number).judged;
+        const Trial trial = trials.tryScene(scene, judged);
+        ++result.tried;
+        result.unfair += !trial.isFair;
+        done(result.tried);
+        if (!trial.fails(leastWrong(trials.family(), judged))) continue;
+        Finding finding = madeSmall(trials, scene, number, [&] { return Clock::now() - begin < plan.time; });
+        if (!result.finding || triangleCount(finding.scene) < triangleCount(result.finding->scene)) result.finding = std::move(finding);
+    }
+    if (result.finding) trials.tryScene(result.finding->scene, result.finding->kind->judged); // again the last one
+    result.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    return result;
+}
+
+} // namespace shadowlab::student
