@@ -16,7 +16,7 @@ namespace shadowlab::cli {
 
 namespace {
 
-constexpr int kMostQuestions = 48, kMostSeed = 2'000'000'000;
+constexpr int kMostQuestions = 48;
 
 struct ExerciseOptions {
     int seed = 1, questions = 8;

@@ -86,7 +86,7 @@ void describeGrade(DescribedOptions& add) {
                "  shadowlab grade --plugin build/anna.so --sheet gradescope:results.json --sandbox on");
 }
 
-constexpr int kMostSeconds = 3600, kMostMiB = 1 << 20, kMostScenes = 100000, kMostSeed = 1 << 30;
+constexpr int kMostSeconds = 3600, kMostMiB = 1 << 20, kMostScenes = 100000;
 
 AskedSheet sheetFrom(const std::string& text) {
     const std::size_t colon = text.find(':');

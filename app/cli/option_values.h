@@ -32,6 +32,8 @@ double degreesFrom(const std::string& option, const std::string& text);
 double secondsFrom(const std::string& option, const std::string& text);
 /// A whole number from 1 to `most`.
 int countFrom(const std::string& option, const std::string& text, int most);
+/// A seed that random choices follow from is a count up to this: a round number that an int holds.
+inline constexpr int kMostSeed = 2'000'000'000;
 /// A whole number from 1. Throws Error (overLimit) beyond the limit of that name.
 int limitedCountFrom(const std::string& option, const std::string& text, std::string_view limit);
 /// Index of the text among `choices`.
