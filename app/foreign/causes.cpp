@@ -16,11 +16,21 @@ std::vector<double> patternSearch(std::vector<double> place, double step, double
     while (step >= leastStep) {
         std::vector<double> best = place;
         double bestCost = cost;
+        const auto attempt = [&](const std::vector<double>& tried) {
+            if (const double found = costOf(tried); found < bestCost) bestCost = found, best = tried;
+        };
         for (std::size_t axis = 0; axis < place.size(); ++axis)
             for (const double way : {-step, step}) {
                 std::vector<double> tried = place;
                 tried[axis] += way;
-                if (const double found = costOf(tried); found < bestCost) bestCost = found, best = tried;
+                attempt(tried);
+                // Along two axes at once: valleys lie askew.
+                for (std::size_t other = axis + 1; other < place.size(); ++other)
+                    for (const double otherWay : {-step, step}) {
+                        std::vector<double> both = tried;
+                        both[other] += otherWay;
+                        attempt(both);
+                    }
             }
         if (bestCost < cost)
             cost = bestCost, place = best;

@@ -25,7 +25,7 @@ void addPatternCauses(const Evidence& evidence, std::vector<Cause>& causes);
 /// Adds the cause if it explains enough.
 void addIfExplains(const Evidence& evidence, Cause cause, std::vector<Cause>& causes);
 
-/// The minimum of a function near a place, by steps along each axis that are halved until they are below `leastStep`. No derivative:
+/// The minimum of a function near a place, by steps along each axis and each two of them, which are halved until they are below `leastStep`. No derivative:
 /// what is counted in pixels has none.
 std::vector<double> patternSearch(std::vector<double> place, double step, double leastStep,
                                   const std::function<double(const std::vector<double>&)>& costOf);

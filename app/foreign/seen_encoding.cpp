@@ -63,8 +63,11 @@ std::optional<SeenEncoding> wrongEncoding(const std::vector<Brightness>& pixels,
     }
     // Rounding leaves half a level; where another curve is to be believed, it is right within a few and clearly better.
     constexpr double kMostLevels = 4, kClearly = 0.5, kLeastDifference = 2;
+    // A curve that leaves nothing but rounding, in so many steps, is believed for less.
+    constexpr double kRounding = 0.75, kMoreThanRounding = 1.25;
+    const bool exactly = best.levels < kRounding && best.levelsOfSrgb > kMoreThanRounding;
     const bool clearly = best.levels < kMostLevels && best.levels < kClearly * best.levelsOfSrgb && best.levelsOfSrgb - best.levels > kLeastDifference;
-    if (best.curve == rightCurve || !clearly) return std::nullopt;
+    if (best.curve == rightCurve || !(clearly || exactly)) return std::nullopt;
     return best;
 }
 

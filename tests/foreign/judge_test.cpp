@@ -8,6 +8,8 @@
 #include "tests/foreign/foreign_renderer.h"
 #include "tests/foundation/scene/scene_files.h"
 
+#include <tuple>
+
 namespace shadowlab::foreign {
 namespace {
 
@@ -129,6 +131,28 @@ TEST(ForeignJudgeTest, EachMistakeIsNamedInShadedPictures) {
     EXPECT_EQ(cases, 27);
 }
 
+/// Mistakes beyond the usual ten, each on one scene.
+TEST(ForeignJudgeTest, FurtherMistakesAreNamed) {
+    Settings zpass, backCap, oneSided, missing, columns, parts, unlit, steps;
+    zpass.method = Method::zpass;
+    backCap.method = Method::zfail, backCap.backCap = false;
+    oneSided.method = Method::zpass, oneSided.onlyFrontSides = true;
+    missing.withoutThing = 4;
+    columns.flipColumns = true;
+    parts.centre = 0.2;
+    unlit.normalsToViewer = false;
+    steps.samples = 3;
+    int cases = 0;
+    for (const auto& [scene, cause, settings] :
+         {std::tuple(1, "eye-in-shadow", zpass), std::tuple(0, "missing-back-cap", backCap), std::tuple(2, "back-faces-missing", oneSided), std::tuple(2, "caster-missing", missing),
+          std::tuple(2, "flipped", columns), std::tuple(1, "shift", parts), std::tuple(0, "back-faces-missing", unlit), std::tuple(0, "soft-edges", steps)}) {
+        const Staged& stage = staged()[static_cast<std::size_t>(scene)];
+        expectNamed(judgedVisibility(stage, foreign_renderer::render(stage.own, settings)), cause, stage.own.name + ", " + cause);
+        ++cases;
+    }
+    EXPECT_EQ(cases, 8);
+}
+
 TEST(ForeignJudgeTest, AWrongGammaIsSeenInShadedPictures) {
     int cases = 0;
     for (const Staged& stage : staged())
@@ -144,6 +168,19 @@ TEST(ForeignJudgeTest, AWrongGammaIsSeenInShadedPictures) {
             ++cases;
         }
     EXPECT_EQ(cases, 6);
+}
+
+/// It differs from sRGB by a few levels in the dark alone: the board shows it always, a picture only with much that is dark. Shadows are right
+/// either way.
+TEST(ForeignJudgeTest, AGammaOf22SpoilsNoShadow) {
+    Settings settings;
+    settings.curve = Curve::power22;
+    for (const Staged& stage : staged()) {
+        const JudgedPicture judged = judgedPair(stage, foreign_renderer::render(stage.own, settings));
+        EXPECT_EQ(judged.errors.judgement.counts.wrong(), 0) << stage.own.name << "\n" << said(judged);
+        if (judged.encoding) EXPECT_EQ(judged.encoding->curve, ToneCurve::power22) << stage.own.name;
+        EXPECT_GT(judged.errors.judgement.counts.shadowed, 1000);
+    }
 }
 
 } // namespace
