@@ -27,25 +27,49 @@ bool hasOneColour(const image::Image& picture) {
     return true;
 }
 
+bool isOfSize(const image::Image& picture, const image::Image& other) {
+    return picture.width == other.width && picture.height == other.height;
+}
+
+// Of 255 levels: rounding.
+constexpr int kLevels = 4;
+
+/// Pixels in which a stage differs from the right one. Some are drawn over the finished picture: where that differs, it says nothing.
+int differing(const image::Image& stage, const image::Image& right, const image::Image& picture, const image::Image& rightPicture) {
+    const PictureDifference found = difference(stage, right, kLevels);
+    if (!isOfSize(stage, picture)) return found.count;
+    const PictureDifference below = difference(picture, rightPicture, kLevels);
+    int count = 0;
+    for (std::size_t i = 0; i < found.wrong.size(); ++i)
+        count += found.wrong[i] && !below.wrong[i];
+    return count;
+}
+
+/// Shows the stage nothing: one colour, or the finished picture alone?
+bool isBlank(const image::Image& stage, const image::Image& picture) {
+    return hasOneColour(stage) || (isOfSize(stage, picture) && difference(stage, picture, kLevels).count == 0);
+}
+
 /// The first stage of the lecture's algorithm that the plug-in has as well, and shows otherwise.
 std::optional<StageEvidence> evidence(SceneTrials& trials, int light) {
     SceneDrawer& right = trials.drawerOf(rightTechnique(trials.family()));
     const View view = foundView(*right.session().snapshot());
     const std::vector<std::string>& its = trials.painter().stages();
+    const image::Image rightPicture = right.picture(view, {});
     // A share of the pixels: rounding changes a few, and lines of an outline.
     constexpr int kShare = 100;
     for (const StageInfo& stage : right.info().stages) {
         if (stage.id == kVisibilityStage || std::ranges::find(its, stage.id) == its.end()) continue;
         const StageKey key{std::string(stage.id), stage.perLight ? std::max(light, 0) : kNoLight};
         if (stage.perLight && right.session().snapshot()->lights.empty()) continue;
-        const Painted painted = trials.painter().paint(trials.lastScene(), {key});
+        const Painted painted = trials.painter().paint(trials.lastScene(), {key, StageKey{}});
         if (!painted.failure.empty()) continue;
         try {
-            const image::Image rightly = right.picture(view, key), picture = image::decodePng(painted.files.front(), "stage").image;
-            if (hasOneColour(rightly)) continue;
-            if (hasOneColour(picture)) return StageEvidence{key.id, true};
-            const bool sameSize = picture.width == rightly.width && picture.height == rightly.height;
-            if (!sameSize || difference(picture, rightly, 4).count > rightly.width * rightly.height / kShare)
+            const image::Image rightly = right.picture(view, key), shown = image::decodePng(painted.files[0], "stage").image,
+                               picture = image::decodePng(painted.files[1], "picture").image;
+            if (isBlank(rightly, rightPicture) || !isOfSize(picture, rightPicture)) continue;
+            if (isBlank(shown, picture)) return StageEvidence{key.id, true};
+            if (!isOfSize(shown, rightly) || differing(shown, rightly, picture, rightPicture) > rightly.width * rightly.height / kShare)
                 return StageEvidence{key.id, false};
         } catch (const Error&) {
             continue;
