@@ -9,8 +9,8 @@
 #include "app/cli/option_values.h"
 #include "app/course/exercises/exercise.h"
 #include "app/course/exercises/sheet_page.h"
-#include "techniques/foundation/image/output_folder.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
 
 namespace shadowlab::cli {
 
@@ -39,14 +39,15 @@ void describeExercise(DescribedOptions& add) {
     add.option("--kind", "NAME[,NAME...]", "exercises of that kind alone; may be repeated (default: all kinds)");
     add.option("--key", "FILE.html", "where the key goes (default DIR/key.html)");
     add.option("--paper", "a4|letter", "what the pages are printed on (default a4)");
-    add.footer("Writes DIR/sheet.html, which is handed out and has no answers, and DIR/key.html. Both print from a browser.\n"
-               "Kinds: " +
-               kindNames() +
-               "\n"
-               "Examples:\n"
-               "  shadowlab exercise --seed 7 -o sheet-7\n"
-               "  shadowlab exercise --seed 7 --kind counts,texel --questions 4 -o volumes-and-maps\n"
-               "  shadowlab exercise --seed 7 -o handed-out --key teacher/key-7.html --paper letter");
+    add.footer(
+        "Writes DIR/sheet.html, which is handed out and has no answers, and DIR/key.html. Both print from a browser.\n"
+        "Kinds: " +
+        kindNames() +
+        "\n"
+        "Examples:\n"
+        "  shadowlab exercise --seed 7 -o sheet-7\n"
+        "  shadowlab exercise --seed 7 --kind counts,texel --questions 4 -o volumes-and-maps\n"
+        "  shadowlab exercise --seed 7 -o handed-out --key teacher/key-7.html --paper letter");
 }
 
 ExerciseOptions exerciseOptions(const GivenOptions& given) {
@@ -61,7 +62,8 @@ ExerciseOptions exerciseOptions(const GivenOptions& given) {
     if (options.kinds.empty())
         for (const course::ExerciseKind& kind : course::exerciseKinds())
             options.kinds.push_back(&kind);
-    options.paper = choiceFrom("--paper", given.text("--paper", "a4"), {"a4", "letter"}) == 0 ? course::Paper::a4 : course::Paper::letter;
+    options.paper = choiceFrom("--paper", given.text("--paper", "a4"), {"a4", "letter"}) == 0 ? course::Paper::a4
+                                                                                              : course::Paper::letter;
     return options;
 }
 
@@ -86,6 +88,7 @@ Work exerciseWork(const GivenOptions& given) {
 
 } // namespace
 
-const Command kExercise{"exercise", "", "A question sheet with random numbers and figures, and its key", describeExercise, exerciseWork};
+const Command kExercise{"exercise", "", "A question sheet with random numbers and figures, and its key",
+                        describeExercise, exerciseWork};
 
 } // namespace shadowlab::cli

@@ -24,7 +24,9 @@ scene::Snapshot sceneFromText(const std::string& text) {
 }
 
 std::string plateText(const std::string& name, dvec3 centreWorld, dvec2 sizeXz) {
-    return ExerciseJson{{"name", name}, {"shape", "quad"}, {"size", {sizeXz.x, sizeXz.y}}, {"translate", jsonOf(centreWorld)}}.dump();
+    return ExerciseJson{
+        {"name", name}, {"shape", "quad"}, {"size", {sizeXz.x, sizeXz.y}}, {"translate", jsonOf(centreWorld)}}
+        .dump();
 }
 
 std::string boxText(const std::string& name, dvec3 lowerWorld, dvec3 upperWorld) {
@@ -38,12 +40,14 @@ std::string boxText(const std::string& name, dvec3 lowerWorld, dvec3 upperWorld)
 std::string sceneText(const std::string& light, dvec3 eyeWorld, dvec3 targetWorld, const std::string& objects) {
     const ExerciseJson camera{{"position", jsonOf(eyeWorld)}, {"target", jsonOf(targetWorld)}, {"fovYDegrees", 40}};
     return "{\n  \"camera\": " + camera.dump() + ",\n  \"lights\": [" + light +
-           "],\n  \"objects\": [\n    {\"name\": \"floor\", \"shape\": \"quad\", \"size\": [200, 200], \"castsShadow\": false},\n    " +
+           "],\n  \"objects\": [\n    {\"name\": \"floor\", \"shape\": \"quad\", \"size\": [200, 200], "
+           "\"castsShadow\": false},\n    " +
            objects + "\n  ]\n}\n";
 }
 
 std::string pointLightText(dvec3 positionWorld) {
-    return ExerciseJson{{"name", "lamp"}, {"type", "point"}, {"position", jsonOf(positionWorld)}, {"intensity", 20}}.dump();
+    return ExerciseJson{{"name", "lamp"}, {"type", "point"}, {"position", jsonOf(positionWorld)}, {"intensity", 20}}
+        .dump();
 }
 
 trace::SceneTracer tracerOf(const scene::Snapshot& scene) {
@@ -57,9 +61,11 @@ trace::SurfacePoint middlePoint(const trace::SceneTracer& tracer) {
     return tracer.eyePoint(tracer.eyeRays(camera, kPictureSize), dvec2(kPictureSize) / 2.0);
 }
 
-Probe middleProbe(const scene::Snapshot& scene, const std::string& technique, const std::string& parameter, const std::string& value) {
+Probe middleProbe(const scene::Snapshot& scene, const std::string& technique,
+                  const std::vector<std::pair<std::string, std::string>>& settings) {
     picture::Slot slot = picture::Session::makeSlot(technique);
-    params::setFromText(params::find(slot.params, parameter, technique), value, technique);
+    for (const auto& [parameter, value] : settings)
+        params::setFromText(params::find(slot.params, parameter, technique), value, technique);
     View view;
     view.camera = scene->camera;
     view.size = kPictureSize;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "techniques/foundation/scene/model/scene.h"
 #include "techniques/foundation/trace/scene_tracer.h"
@@ -25,7 +27,8 @@ std::string pointLightText(dvec3 positionWorld);
 trace::SceneTracer tracerOf(const scene::Snapshot& scene);
 /// Where the ray from the eye through the middle of the picture ends.
 trace::SurfacePoint middlePoint(const trace::SceneTracer& tracer);
-/// What a technique knows of that point. `setting`: one of its parameters, and its value.
-Probe middleProbe(const scene::Snapshot& scene, const std::string& technique, const std::string& parameter, const std::string& value);
+/// What a technique knows of that point. `settings`: parameters and their values.
+Probe middleProbe(const scene::Snapshot& scene, const std::string& technique,
+                  const std::vector<std::pair<std::string, std::string>>& settings);
 
 } // namespace shadowlab::course

@@ -1,7 +1,7 @@
 // Exercises with random numbers, for paper and pencil: what stands on the question sheet, and what in the key.
 //
-// Numbers are chosen so that a student can calculate with them, and so that nothing that is asked lies near a limit. Answers come from
-// the techniques' own functions, or from the rays that judge them.
+// Numbers are chosen so that a student can calculate with them, and so that nothing that is asked lies near a limit. What depends on a scene is
+// answered by a technique's probe, or by the rays that judge techniques; the rest by the lecture's formulas.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>

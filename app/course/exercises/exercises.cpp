@@ -41,7 +41,8 @@ const ExerciseKind& findExerciseKind(std::string_view name) {
     std::vector<std::string> known;
     for (const ExerciseKind& kind : kKinds)
         known.emplace_back(kind.name);
-    throw Error(ExitStatus::usage, "there is no kind of exercise '" + std::string(name) + "'; " + suggestion(name, known));
+    throw Error(ExitStatus::usage,
+                "there is no kind of exercise '" + std::string(name) + "'; " + suggestion(name, known));
 }
 
 std::vector<Exercise> makeExercises(std::uint64_t seed, int count, const std::vector<const ExerciseKind*>& kinds) {
@@ -68,7 +69,8 @@ std::vector<Exercise> makeExercises(std::uint64_t seed, int count, const std::ve
 std::string printed(double value) {
     std::array<char, 64> buffer{};
     const double rounded = std::round(value * 1000) / 1000 + 0.0; // no "-0"
-    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded, std::chars_format::fixed, 3);
+    const auto [end, error] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded, std::chars_format::fixed, 3);
     if (error != std::errc{}) return "?";
     std::string text(buffer.data(), end);
     while (text.back() == '0')

@@ -32,6 +32,7 @@ ol { list-style: lower-alpha; margin: 0; padding-left: 6mm }
 li { break-inside: avoid; margin-bottom: 2mm }
 .room { height: 17mm; border-bottom: .6pt dotted #888 }
 .room i { display: block; height: 8.5mm; border-bottom: .6pt dotted #888 }
+.key section { break-inside: avoid }
 .told { margin: 1.5mm 0; break-inside: avoid }
 math mi, math mn, math mtext { font-family: 'DejaVu Sans', Verdana, sans-serif }
 math .variable { font-style: italic }
@@ -44,16 +45,21 @@ std::string_view pageSize(Paper paper) { return paper == Paper::letter ? "letter
 /// The SVG element alone: the declaration above it belongs to a file.
 std::string inlineFigure(const ExerciseFigure& figure) {
     const std::string document = figure.drawing.document(figure.title);
-    // 1212 pixels, the widest squared paper, fill the line.
-    const long millimetres = std::lround(figure.drawing.size().x * 178 / 1212);
-    return "<figure style=\"max-width: " + std::to_string(millimetres) + "mm\">" + document.substr(document.find("<svg")) + "</figure>\n";
+    // The widest squared paper, 1212 pixels, is nearly as wide as a line, with squares of seven millimetres to draw on.
+    const long millimetres = std::lround(figure.drawing.size().x * 152 / 1212);
+    return "<figure style=\"max-width: " + std::to_string(millimetres) + "mm\">" +
+           document.substr(document.find("<svg")) + "</figure>\n";
 }
 
-std::string pageOf(const std::string& title, const std::string& foot, Paper paper, const std::string& body) {
-    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
-           drawing::escapedMarkup(title) + "</title>\n<style>" + std::string(kSheetStyle) + "@page { size: " + std::string(pageSize(paper)) +
-           "; margin: 16mm 16mm 18mm; @bottom-center { font: 8pt 'DejaVu Sans', Verdana, sans-serif; content: \"" + foot +
-           ", page \" counter(page) \" of \" counter(pages) } }\n</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
+std::string pageOf(const std::string& title, const std::string& foot, Paper paper, const std::string& bodyClass,
+                   const std::string& body) {
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+           "content=\"width=device-width\">\n<title>" +
+           drawing::escapedMarkup(title) + "</title>\n<style>" + std::string(kSheetStyle) +
+           "@page { size: " + std::string(pageSize(paper)) +
+           "; margin: 16mm 16mm 18mm; @bottom-center { font: 8pt 'DejaVu Sans', Verdana, sans-serif; content: \"" +
+           foot + ", page \" counter(page) \" of \" counter(pages) } }\n</style>\n</head>\n<body class=\"" + bodyClass +
+           "\">\n" + body + "</body>\n</html>\n";
 }
 
 std::string headingOf(std::size_t number, const Exercise& exercise) {
@@ -68,14 +74,15 @@ std::string sheetPage(const std::vector<Exercise>& exercises, std::uint64_t seed
                        "</h1>\n<div class=\"who\"><span>Name</span><span>Date</span></div>\n</header>\n";
     for (std::size_t i = 0; i < exercises.size(); ++i) {
         const Exercise& exercise = exercises[i];
-        body += "<section>\n" + headingOf(i, exercise) + "<p class=\"given\">" + drawing::proseMarkup(exercise.given) + "</p>\n";
+        body += "<section>\n" + headingOf(i, exercise) + "<p class=\"given\">" + drawing::proseMarkup(exercise.given) +
+                "</p>\n";
         if (exercise.figure) body += inlineFigure(*exercise.figure);
         body += "<ol>\n";
         for (const std::string& question : exercise.questions)
             body += "<li>" + drawing::proseMarkup(question) + "<div class=\"room\"><i></i></div></li>\n";
         body += "</ol>\n</section>\n";
     }
-    return pageOf("Shadows: exercises, sheet " + std::to_string(seed), name, paper, body);
+    return pageOf("Shadows: exercises, sheet " + std::to_string(seed), name, paper, "sheet", body);
 }
 
 std::string keyPage(const std::vector<Exercise>& exercises, std::uint64_t seed, Paper paper) {
@@ -86,10 +93,11 @@ std::string keyPage(const std::vector<Exercise>& exercises, std::uint64_t seed, 
         body += "<section>\n" + headingOf(i, exercise) + "<ol>\n";
         for (const std::string& answer : exercise.answers)
             body += "<li>" + drawing::proseMarkup(answer) + "</li>\n";
-        body += "</ol>\n<p class=\"told\">" + drawing::proseMarkup(exercise.working) + "</p>\n<p class=\"told\"><em>Usual mistake:</em> " +
-                drawing::proseMarkup(exercise.mistake) + "</p>\n</section>\n";
+        body += "</ol>\n<p class=\"told\">" + drawing::proseMarkup(exercise.working) +
+                "</p>\n<p class=\"told\"><em>Usual mistake:</em> " + drawing::proseMarkup(exercise.mistake) +
+                "</p>\n</section>\n";
     }
-    return pageOf(name, name, paper, body);
+    return pageOf(name, name, paper, "key", body);
 }
 
 } // namespace shadowlab::course

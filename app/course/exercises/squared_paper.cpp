@@ -7,7 +7,8 @@ namespace shadowlab::course {
 
 namespace {
 
-constexpr double kLeftMargin = 56, kTopMargin = 36, kRightMargin = 36, kBottomMargin = 44; // for the numbers of the axes
+constexpr double kLeftMargin = 56, kTopMargin = 36, kRightMargin = 36,
+                 kBottomMargin = 60; // for the numbers of the axes
 const drawing::Stroke kSquares{"#c8c8c8", 1.5};
 
 dvec2 sheetSize(dvec2 lower, dvec2 upper) {
@@ -16,9 +17,11 @@ dvec2 sheetSize(dvec2 lower, dvec2 upper) {
 
 } // namespace
 
-SquaredPaper::SquaredPaper(dvec2 lower, dvec2 upper, std::string_view firstAxis, std::string_view secondAxis, bool secondGoesDown)
+SquaredPaper::SquaredPaper(dvec2 lower, dvec2 upper, std::string_view firstAxis, std::string_view secondAxis,
+                           bool secondGoesDown)
     : lower_(lower), upper_(upper), secondGoesDown_(secondGoesDown), drawing_(sheetSize(lower, upper)) {
-    const drawing::TextStyle numbers{.size = 18, .anchor = drawing::Anchor::middle, .color = "#555555", .hasRim = false};
+    const drawing::TextStyle numbers{
+        .size = 21, .anchor = drawing::Anchor::middle, .color = "#555555", .hasRim = false};
     for (int x = static_cast<int>(lower.x); x <= static_cast<int>(upper.x); ++x) {
         line({x, lower.y}, {x, upper.y}, kSquares);
         drawing_.text({at({x, 0}).x, drawing_.size().y - kBottomMargin + 22}, std::to_string(x), numbers);
@@ -31,8 +34,9 @@ SquaredPaper::SquaredPaper(dvec2 lower, dvec2 upper, std::string_view firstAxis,
     }
     drawing::TextStyle names = numbers;
     names.isItalic = true;
-    drawing_.text({drawing_.size().x - kRightMargin / 2, drawing_.size().y - kBottomMargin + 22}, firstAxis, names);
-    drawing_.text({kLeftMargin - 20, secondGoesDown ? drawing_.size().y - 6 : kTopMargin - 14}, secondAxis, names);
+    drawing_.text({0.5 * (at(lower).x + at(upper).x), drawing_.size().y - 10}, firstAxis, names);
+    drawing_.text({kLeftMargin - 20, secondGoesDown ? drawing_.size().y - kBottomMargin + 22 : kTopMargin - 14},
+                  secondAxis, names);
 }
 
 dvec2 SquaredPaper::at(dvec2 place) const {
@@ -40,7 +44,9 @@ dvec2 SquaredPaper::at(dvec2 place) const {
     return dvec2(kLeftMargin + kSquare * (place.x - lower_.x), kTopMargin + kSquare * down);
 }
 
-void SquaredPaper::line(dvec2 from, dvec2 to, const drawing::Stroke& stroke) { drawing_.line(at(from), at(to), stroke); }
+void SquaredPaper::line(dvec2 from, dvec2 to, const drawing::Stroke& stroke) {
+    drawing_.line(at(from), at(to), stroke);
+}
 
 void SquaredPaper::box(dvec2 lower, dvec2 upper, const std::string& fill) {
     const dvec2 a = at(lower), b = at(upper);
@@ -50,7 +56,9 @@ void SquaredPaper::box(dvec2 lower, dvec2 upper, const std::string& fill) {
 void SquaredPaper::point(dvec2 place, std::string_view name, const std::string& color, dvec2 labelOffsetPx) {
     drawing_.circle(at(place), 7, color, {"#ffffff", 1.5});
     drawing_.text(at(place) + labelOffsetPx, name,
-                  {.size = kLabel, .anchor = labelOffsetPx.x < 0 ? drawing::Anchor::end : drawing::Anchor::start, .isBold = true});
+                  {.size = kLabel,
+                   .anchor = labelOffsetPx.x < 0 ? drawing::Anchor::end : drawing::Anchor::start,
+                   .isBold = true});
 }
 
 void SquaredPaper::label(dvec2 place, std::string_view text, drawing::Anchor anchor, double size) {

@@ -12,7 +12,8 @@ namespace shadowlab::course {
 class SquaredPaper {
 public:
     /// From `lower` to `upper`, whole numbers. The second axis goes up, or down as the rows of a picture do.
-    SquaredPaper(dvec2 lower, dvec2 upper, std::string_view firstAxis, std::string_view secondAxis, bool secondGoesDown = false);
+    SquaredPaper(dvec2 lower, dvec2 upper, std::string_view firstAxis, std::string_view secondAxis,
+                 bool secondGoesDown = false);
 
     [[nodiscard]] dvec2 at(dvec2 place) const;
     void line(dvec2 from, dvec2 to, const drawing::Stroke& stroke);
@@ -20,10 +21,11 @@ public:
     void box(dvec2 lower, dvec2 upper, const std::string& fill);
     /// A dot with its name beside it.
     void point(dvec2 place, std::string_view name, const std::string& color, dvec2 labelOffsetPx = {12, -12});
-    void label(dvec2 place, std::string_view text, drawing::Anchor anchor = drawing::Anchor::middle, double size = kLabel);
+    void label(dvec2 place, std::string_view text, drawing::Anchor anchor = drawing::Anchor::middle,
+               double size = kLabel);
     [[nodiscard]] drawing::Drawing& drawing() { return drawing_; }
 
-    static constexpr double kSquare = 56, kLabel = 24; ///< pixels; on paper some 24 squares go across the page
+    static constexpr double kSquare = 56, kLabel = 27; ///< pixels; a square is 7 mm wide on paper
 
 private:
     dvec2 lower_, upper_;
