@@ -35,6 +35,7 @@ struct JudgeOptions {
     std::filesystem::path reference, calibration; ///< empty: none
     std::optional<ivec2> size;                    ///< that the picture should have; none: any
     std::filesystem::path output;                 ///< a folder; empty: nothing is written
+    bool byCentre = false;
     std::string view; ///< empty: the scene's own camera
     bool json = false;
     std::optional<scene::NormalMode> normals; ///< of a mesh; none: as it has them
@@ -47,6 +48,7 @@ void describeJudge(DescribedOptions& add) {
     add.option("PICTURE", "PICTURE.png", "the picture that another program has drawn of the scene");
     describeScene(add);
     add.option("--light", "NAME", "the light whose shadows are judged (default: the first)");
+    add.flag("--by-centre", "a light with an area is judged as a point at its centre, for a program that draws it so");
     add.option("--reference", "UNSHADOWED.png",
                "the same picture without shadows; without it PICTURE is a visibility image: 255 where the light is seen, 0 where not");
     add.option("--calibration", "CALIBRATION.png", "the calibration board that the same program has drawn: it is checked first");
@@ -74,6 +76,7 @@ JudgeOptions judgeOptions(const GivenOptions& given) {
     options.reference = given.text("--reference");
     options.calibration = given.text("--calibration");
     if (given.has("--size")) options.size = sizeFrom("--size", given.text("--size"), "measured-side");
+    options.byCentre = given.has("--by-centre");
     options.output = given.text("--output");
     options.view = given.text("--view");
     options.json = given.has("--json");
@@ -163,7 +166,8 @@ int judgePicture(const JudgeOptions& options) {
         }
     }
     try {
-        report.judged = foreign::judgePicture(scene, light, picture, reference ? &*reference : nullptr);
+        const judge::TruthOf truthOf = options.byCentre ? judge::TruthOf::centre : foreign::truthOfLight(scene->light(light));
+        report.judged = foreign::judgePicture(scene, light, truthOf, picture, reference ? &*reference : nullptr);
     } catch (const Error& why) {
         throw Error(why.status(), scene::shownPath(options.picture) + ": " + why.what());
     }

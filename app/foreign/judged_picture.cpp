@@ -33,14 +33,14 @@ int tiesOf(const judge::Truth& truth) {
 
 } // namespace
 
-JudgedPicture judgePicture(const scene::Snapshot& scene, int light, const image::Image& picture, const image::Image* reference) {
+JudgedPicture judgePicture(const scene::Snapshot& scene, int light, judge::TruthOf truthOf, const image::Image& picture,
+                           const image::Image* reference) {
     JudgedPicture judged;
-    const scene::Light& source = scene->light(light);
     std::optional<Orientation> orientation;
     const ivec2 size(picture.width, picture.height);
     trace::SceneTracer tracer;
     tracer.advance(scene, std::chrono::steady_clock::time_point::max());
-    judged.truthOf = scene::hasArea(source) ? judge::TruthOf::area : judge::TruthOf::centre;
+    judged.truthOf = truthOf;
     // No rasteriser of this program has a say: another one's rounding is not known.
     judged.truth = judge::exactTruth(tracer, scene->camera, size, light, judge::Rasterised{}, {}, judged.truthOf);
     if (reference) {

@@ -23,8 +23,13 @@ struct JudgedPicture {
     }
 };
 
-/// Judges by the light's centre, or by its area where it has one. `reference`: the picture without shadows; null: the picture is a
-/// visibility image. Both have that size. Throws Error (badInput), which names no file, where a picture is not what it should be.
-JudgedPicture judgePicture(const scene::Snapshot& scene, int light, const image::Image& picture, const image::Image* reference);
+/// `truthOf`: area only of a light that has one. `reference`: the picture without shadows; null: the picture is a visibility image. Both
+/// have that size. Throws Error (badInput), which names no file, where a picture is not what it should be.
+JudgedPicture judgePicture(const scene::Snapshot& scene, int light, judge::TruthOf truthOf, const image::Image& picture,
+                           const image::Image* reference);
+/// By what a light is judged that the picture's program knows as the scene has it.
+inline judge::TruthOf truthOfLight(const scene::Light& light) {
+    return scene::hasArea(light) ? judge::TruthOf::area : judge::TruthOf::centre;
+}
 
 } // namespace shadowlab::foreign

@@ -56,10 +56,10 @@ std::string said(const JudgedPicture& judged) {
     return text;
 }
 
-JudgedPicture judgedVisibility(const Staged& stage, const Pictures& pictures) { return judgePicture(stage.scene, 0, imageOf(pictures.visibility), nullptr); }
+JudgedPicture judgedVisibility(const Staged& stage, const Pictures& pictures) { return judgePicture(stage.scene, 0, truthOfLight(stage.scene->light(0)), imageOf(pictures.visibility), nullptr); }
 JudgedPicture judgedPair(const Staged& stage, const Pictures& pictures) {
     const image::Image reference = imageOf(pictures.unshadowed);
-    return judgePicture(stage.scene, 0, imageOf(pictures.shaded), &reference);
+    return judgePicture(stage.scene, 0, truthOfLight(stage.scene->light(0)), imageOf(pictures.shaded), &reference);
 }
 
 struct Mistake {

@@ -26,7 +26,9 @@ from pathlib import Path
 SKIPPED = 77
 SIZE = "320x180"
 LIGHTS = {"still-life": ("key",), "three-lights": ("left", "middle", "right"), "colonnade": ("sun",), "lattice": ("sun",),
-          "hung-ring": ("sun",), "room-with-lamps": ("spot",)}
+          "hung-ring": ("sun",), "room-with-lamps": ("panel", "bulb", "spot")}
+# Lights with an area are drawn as points, and judged by their centres.
+BY_CENTRE = ("panel", "bulb")
 # Beside lights with an area, which three.js takes for points without a cosine, the share of a third one is another.
 VISIBILITY_ALONE = ("room-with-lamps",)
 PICTURES = ("visibility", "shaded", "unshadowed")
@@ -111,7 +113,8 @@ def complaints_about(renderer, scene, program, folder, three):
         files = {picture: exported / f"{picture}-{light}.png" for picture in pictures}
         for picture, file in files.items():
             renderer.draw(exported, "scene", picture, light, number, file)
-        answers = {"visibility": judged(program, files["visibility"], scene, light, "--calibration", board)}
+        how = ["--by-centre"] if light in BY_CENTRE else []
+        answers = {"visibility": judged(program, files["visibility"], scene, light, "--calibration", board, *how)}
         if "shaded" in files:
             answers["a pair"] = judged(program, files["shaded"], scene, light, "--reference", files["unshadowed"], "--calibration", board)
         for kind, answer in answers.items():

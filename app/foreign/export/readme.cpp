@@ -76,8 +76,8 @@ std::string judgeText(const Format& format, const PlainScene& plain, const std::
     else
         text_ += "\nIt takes a picture that is white where the light is seen and black in shadow.\n\n";
     if (std::ranges::any_of(plain.lights, scene::hasArea))
-        text_ += "Of a light with an area `judge` asks which share of the area is seen. The pictures above take such a light for a point at its centre, so in "
-                 "its penumbras the two differ.\n\n";
+        text_ += "Of a light with an area `judge` asks which share of the area is seen. The pictures above take such a light for a point at its centre: they "
+                 "are judged with --by-centre.\n\n";
     return text_;
 }
 
