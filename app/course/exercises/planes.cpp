@@ -193,7 +193,9 @@ Exercise askForShadowedPixels(Chance& chance) {
                        "picture is not counted.";
     SquaredPaper paper({0, 0}, kPicture, "x", "y", true);
     paper.box(glm::max(lower, dvec2(0)), glm::min(upper, dvec2(kPicture)), "");
-    paper.label({glm::clamp(centre.x, 0.8, kPicture.x - 0.8), glm::clamp(centre.y, 0.5, kPicture.y - 0.5)}, "plate");
+    // Beside the plate on the side where L is not; small plates have no room for it.
+    const double labelY = lamp.y > centre.y ? lower.y - 0.15 : std::min(upper.y + 0.5, kPicture.y - 0.15);
+    paper.label({glm::clamp(centre.x, 0.8, kPicture.x - 0.8), labelY}, "plate");
     paper.point(lamp, "L", "#e69f00");
     exercise.figure = {paper.drawing(),
                        "A grid of pixels, a rectangle that is a plate seen from above, and the point L below the lamp"};
