@@ -15,8 +15,8 @@ build_packages=(
 )
 # To run the tests as well: xvfb and xauth are the display of those that need one, xdotool the hands at its keys and mouse,
 # python3-xlib those that drop files on it. dpkg-dev and file make packages; dpkg-dev brings make, with which plug-ins are built.
-# locales: one with a decimal comma is made of it.
-test_packages=(dpkg-dev file glslang-tools locales python3 python3-xlib xauth xdotool xvfb)
+# locales: one with a decimal comma is made of it. bubblewrap is the sandbox in which students' plug-ins are graded.
+test_packages=('bubblewrap|' dpkg-dev file glslang-tools locales python3 python3-xlib xauth xdotool xvfb)
 # For the long form: fuzz targets are built with clang (14, which `clang` stands for on Debian 12, does not know all of C++20 that is
 # used here), setarch runs tests under the thread sanitizer, and zink draws by Mesa's Vulkan driver for
 # processors (tests/systems/drivers.py). Blender draws what radiosity is held against (tests/systems/cycles_check.py); Blender, POV-Ray
