@@ -8,6 +8,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
 #include "app/course/exercises/exercise.h"
+#include "app/course/exercises/page_filling.h"
 #include "app/course/exercises/sheet_page.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
@@ -70,7 +71,8 @@ ExerciseOptions exerciseOptions(const GivenOptions& given) {
 int exercise(const ExerciseOptions& options) {
     if (!options.key.empty()) image::probeWritable(options.key);
     const auto seed = static_cast<std::uint64_t>(options.seed);
-    const std::vector<course::Exercise> exercises = course::makeExercises(seed, options.questions, options.kinds);
+    const std::vector<course::Exercise> exercises =
+        course::fillPages(course::makeExercises(seed, options.questions, options.kinds));
     const std::string key = course::keyPage(exercises, seed, options.paper);
     image::writeFolder(options.output, [&](const std::filesystem::path& folder) {
         image::writeWhole(folder / "sheet.html", course::sheetPage(exercises, seed, options.paper));
