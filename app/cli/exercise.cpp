@@ -76,9 +76,9 @@ int exercise(const ExerciseOptions& options) {
     const std::string key = course::keyPage(exercises, seed, options.paper);
     image::writeFolder(options.output, [&](const std::filesystem::path& folder) {
         image::writeWhole(folder / "sheet.html", course::sheetPage(exercises, seed, options.paper));
-        if (options.key.empty()) image::writeWhole(folder / "key.html", key);
+        // Before the folder has its name: a run that is stopped in between can be started again, and then writes both.
+        image::writeWhole(options.key.empty() ? folder / "key.html" : options.key, key);
     });
-    if (!options.key.empty()) image::writeWhole(options.key, key);
     print("Written: " + (options.output / "sheet.html").string() + " and " +
           (options.key.empty() ? options.output / "key.html" : options.key).string() + "\n");
     return 0;

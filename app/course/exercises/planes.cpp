@@ -46,8 +46,8 @@ dvec2 clearOffset(dvec2 place, const Rectangle& plate, dvec2 plateLabel) {
         const dvec2 start = place + offset / SquaredPaper::kSquare - dvec2(offset.x < 0 ? 0.7 * kLetter : 0, 0);
         const Rectangle letter{start - dvec2(kMargin, 0.75 * kLetter + kMargin),
                                start + dvec2(0.7 * kLetter + kMargin, kMargin)};
-        const bool isInside = glm::all(glm::greaterThan(letter.lower, plate.lower)) &&
-                              glm::all(glm::lessThan(letter.upper, plate.upper));
+        const bool isInside =
+            glm::all(glm::greaterThan(letter.lower, plate.lower)) && glm::all(glm::lessThan(letter.upper, plate.upper));
         if ((isInside || !overlap(letter, plate)) && !overlap(letter, word)) break;
     }
     return offset;
@@ -147,10 +147,9 @@ Exercise askForPlaneHeights(Chance& chance) {
             caster = "Only " + name + ", which lies between the plane and the lamp: 0 < " + printed(above) + " < " +
                      printed(height(lamp)) + ".";
         else
-            others +=
-                " " + name +
-                (above < 0 ? " lies below the plane."
-                           : " is higher than the lamp: its image would be a false shadow (an anti-shadow).");
+            others += " " + name +
+                      (above < 0 ? " lies below the plane."
+                                 : " is higher than the lamp: its image would be a false shadow (an anti-shadow).");
         add(exercise.data, numbersOf(name, points[i]));
         exercise.results.push_back({name, above});
     }
@@ -199,7 +198,8 @@ Exercise askForShadowedPixels(Chance& chance) {
 
     Exercise exercise;
     exercise.given = "The picture of " + std::to_string(kPicture.x) + " x " + std::to_string(kPicture.y) +
-                     " pixels, the thick frame on the squared paper, shows a floor from straight above, one metre to a pixel. Pixel (x, y) has its centre at "
+                     " pixels, the thick frame on the squared paper, shows a floor from straight above, one metre to a "
+                     "pixel. Pixel (x, y) has its centre at "
                      "(x + 0.5, y + 0.5). A lamp stands " +
                      std::to_string(lampHeight) + " m above the point L. A plate hangs level, " +
                      std::to_string(plateHeight) + " m above the floor, over the rectangle from (" + printed(lower.x) +

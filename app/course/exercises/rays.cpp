@@ -41,10 +41,10 @@ long countedRays(int levels) { return levels == 0 ? 1 : 1 + 2 * countedRays(leve
 
 Exercise askForReflection(Chance& chance) {
     const bool alongZ = chance.coin();
-    const std::vector<dvec2> directions{{0.6, -0.8}, {0.8, -0.6},   {-0.6, -0.8},   {-0.8, -0.6},
-                                        {0, -1},     {0.28, -0.96}, {-0.28, -0.96}, {0.96, -0.28},
-                                        {-0.96, -0.28}};
-    const std::vector<dvec2> normals{{0, 1}, {0.6, 0.8}, {-0.6, 0.8}, {0.8, 0.6}, {-0.8, 0.6}, {0.28, 0.96}, {-0.28, 0.96}};
+    const std::vector<dvec2> directions{{0.6, -0.8},   {0.8, -0.6},    {-0.6, -0.8},  {-0.8, -0.6},  {0, -1},
+                                        {0.28, -0.96}, {-0.28, -0.96}, {0.96, -0.28}, {-0.96, -0.28}};
+    const std::vector<dvec2> normals{{0, 1},      {0.6, 0.8},   {-0.6, 0.8},  {0.8, 0.6},
+                                     {-0.8, 0.6}, {0.28, 0.96}, {-0.28, 0.96}};
     dvec2 flatU, flatN;
     do {
         flatU = chance.oneOf(directions);
@@ -73,10 +73,22 @@ Exercise askForRefraction(Chance& chance) {
     struct Pair {
         double sine, index;
     };
-    const auto [sine, index] = chance.oneOf(std::vector<Pair>{{0.6, 1.5},   {0.6, 1.25},  {0.6, 1.2},   {0.6, 1.6},
-                                                              {0.8, 1.6},   {0.8, 1.25},  {0.8, 1.28},  {0.96, 1.6},
-                                                              {0.96, 1.2},  {0.96, 1.5},  {0.96, 1.28}, {0.96, 1.25},
-                                                              {0.28, 1.4},  {0.28, 1.25}, {0.28, 1.6},  {0.28, 1.12}});
+    const auto [sine, index] = chance.oneOf(std::vector<Pair>{{0.6, 1.5},
+                                                              {0.6, 1.25},
+                                                              {0.6, 1.2},
+                                                              {0.6, 1.6},
+                                                              {0.8, 1.6},
+                                                              {0.8, 1.25},
+                                                              {0.8, 1.28},
+                                                              {0.96, 1.6},
+                                                              {0.96, 1.2},
+                                                              {0.96, 1.5},
+                                                              {0.96, 1.28},
+                                                              {0.96, 1.25},
+                                                              {0.28, 1.4},
+                                                              {0.28, 1.25},
+                                                              {0.28, 1.6},
+                                                              {0.28, 1.12}});
     const bool alongZ = chance.coin(), toward = chance.coin();
     const dvec3 u = inSpace({toward ? sine : -sine, -std::sqrt(1 - sine * sine)}, alongZ), normal(0, 1, 0);
     const dvec3 refraction = refractedRay(u, normal, 1 / index);

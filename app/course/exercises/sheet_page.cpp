@@ -58,10 +58,10 @@ std::string pageOf(const std::string& title, const std::string& foot, Paper pape
                    const std::string& body) {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
            "content=\"width=device-width\">\n<title>" +
-           drawing::escapedMarkup(title) + "</title>\n<style>" + std::string(kSheetStyle) +
-           "@page { " + std::string(pageSize(paper)) +
-           "; @bottom-center { font: 8pt 'DejaVu Sans', Verdana, sans-serif; content: \"" +
-           foot + ", page \" counter(page) \" of \" counter(pages) } }\n</style>\n</head>\n<body class=\"" + bodyClass +
+           drawing::escapedMarkup(title) + "</title>\n<style>" + std::string(kSheetStyle) + "@page { " +
+           std::string(pageSize(paper)) +
+           "; @bottom-center { font: 8pt 'DejaVu Sans', Verdana, sans-serif; content: \"" + foot +
+           ", page \" counter(page) \" of \" counter(pages) } }\n</style>\n</head>\n<body class=\"" + bodyClass +
            "\">\n" + body + "</body>\n</html>\n";
 }
 
