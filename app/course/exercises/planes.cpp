@@ -35,13 +35,14 @@ bool overlap(const Rectangle& a, const Rectangle& b) {
 }
 
 /// In pixels, where the name of a point stands beside it: clear of the plate's outline and of the word "plate", in a figure whose y goes
-/// down. The last of four places where none is.
+/// down. The last of six places where none is.
 dvec2 clearOffset(dvec2 place, const Rectangle& plate, dvec2 plateLabel) {
     // A capital letter of the label's size, and five small ones around the middle of their baseline.
     constexpr double kLetter = SquaredPaper::kLabel / SquaredPaper::kSquare, kMargin = 0.08;
     const Rectangle word{plateLabel - dvec2(1.6, 0.8) * kLetter, plateLabel + dvec2(1.6, 0.3) * kLetter};
     dvec2 offset;
-    for (const dvec2 tried : {dvec2(12, -12), dvec2(-12, -12), dvec2(12, 31), dvec2(-12, 31)}) {
+    for (const dvec2 tried :
+         {dvec2(12, -12), dvec2(-12, -12), dvec2(12, 31), dvec2(-12, 31), dvec2(16, 10), dvec2(-16, 10)}) {
         offset = tried;
         const dvec2 start = place + offset / SquaredPaper::kSquare - dvec2(offset.x < 0 ? 0.7 * kLetter : 0, 0);
         const Rectangle letter{start - dvec2(kMargin, 0.75 * kLetter + kMargin),
