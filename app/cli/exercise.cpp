@@ -8,6 +8,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
 #include "app/course/exercises/exercise.h"
+#include "app/course/exercises/page_filling.h"
 #include "app/course/exercises/sheet_page.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
@@ -70,13 +71,14 @@ ExerciseOptions exerciseOptions(const GivenOptions& given) {
 int exercise(const ExerciseOptions& options) {
     if (!options.key.empty()) image::probeWritable(options.key);
     const auto seed = static_cast<std::uint64_t>(options.seed);
-    const std::vector<course::Exercise> exercises = course::makeExercises(seed, options.questions, options.kinds);
+    const std::vector<course::Exercise> exercises =
+        course::fillPages(course::makeExercises(seed, options.questions, options.kinds));
     const std::string key = course::keyPage(exercises, seed, options.paper);
     image::writeFolder(options.output, [&](const std::filesystem::path& folder) {
         image::writeWhole(folder / "sheet.html", course::sheetPage(exercises, seed, options.paper));
-        if (options.key.empty()) image::writeWhole(folder / "key.html", key);
+        // Before the folder has its name: a run that is stopped in between can be started again, and then writes both.
+        image::writeWhole(options.key.empty() ? folder / "key.html" : options.key, key);
     });
-    if (!options.key.empty()) image::writeWhole(options.key, key);
     print("Written: " + (options.output / "sheet.html").string() + " and " +
           (options.key.empty() ? options.output / "key.html" : options.key).string() + "\n");
     return 0;

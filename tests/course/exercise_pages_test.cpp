@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/course/exercises/kinds.h"
+#include "app/course/exercises/page_filling.h"
 #include "app/course/exercises/sheet_page.h"
 #include "app/drawing/prose.h"
 #include "techniques/foundation/base/error.h"
@@ -159,8 +160,13 @@ TEST(Exercises, PagesAreWellFormedAndAskForNothing) {
 
 TEST(Exercises, NumbersAreShort) {
     EXPECT_EQ(printed(2.0), "2");
-    EXPECT_EQ(printed(-0.0001), "0");
-    EXPECT_EQ(printed(0.12345), "0.123");
+    EXPECT_EQ(printed(-0.00001234), "0");
+    EXPECT_EQ(printed(0.1234567), "0.123");
+    EXPECT_EQ(printed(2.0 / 3), "0.667");
+    for (const auto& [value, text] : std::map<double, std::string>{{0.1875, "0.1875"}, {0.0625, "0.0625"}, {0.5625, "0.5625"},
+                                                                   {-0.03125, "-0.03125"}, {1.25, "1.25"}, {0.1 + 0.2, "0.3"}})
+        for (const double rounding : {-1e-13, 0.0, 1e-13}) // that of doubles, thousandfold
+            EXPECT_EQ(printed(value + rounding), text);
     EXPECT_EQ(printed(1000.0), "1000");
     EXPECT_EQ(printed(dvec3(1, -2.5, 0)), "(1, -2.5, 0)");
 }
@@ -175,6 +181,58 @@ TEST(Exercises, EachKindComesBeforeOneComesAgain) {
         EXPECT_TRUE(count == 2 || count == 3) << kind;
     EXPECT_EQ(makeExercises(3, 3, {&findExerciseKind("texel")}).size(), 3u);
     EXPECT_THROW(static_cast<void>(findExerciseKind("texels")), Error);
+}
+
+TEST(Exercises, NoExerciseComesTwiceOnASheet) {
+    int different = 0;
+    for (const ExerciseKind& kind : exerciseKinds()) {
+        std::set<std::string> asked;
+        for (const Exercise& exercise : makeExercises(5, 48, {&kind})) {
+            std::string all = exercise.given;
+            for (const NamedNumber& number : exercise.data)
+                all += "\n" + number.name + " " + printed(number.value);
+            asked.insert(all);
+        }
+        EXPECT_EQ(asked.size(), 48u) << kind.name;
+        different += static_cast<int>(asked.size());
+    }
+    EXPECT_GE(different, 16 * 48);
+    EXPECT_THROW(makeExercises(5, 65, {&findExerciseKind("refraction")}), Error) << "there are 64";
+}
+
+/// Pages as a browser breaks them: an exercise that does not fit on one goes to the next.
+std::vector<double> pageHeights(const std::vector<Exercise>& exercises) {
+    std::vector<double> pages{kHeaderHeight};
+    for (const Exercise& exercise : exercises) {
+        const double height = heightOnPaper(exercise);
+        if (pages.back() + height > kPageHeight) pages.push_back(0);
+        pages.back() += height;
+    }
+    return pages;
+}
+
+TEST(Exercises, PagesAreFilled) {
+    int pagesInOrder = 0, pagesFilled = 0, compared = 0;
+    for (int seed = 1; seed <= 40; ++seed) {
+        const std::vector<Exercise> made = makeExercises(static_cast<std::uint64_t>(seed), 8, allKinds()),
+                                    filled = fillPages(made);
+        ASSERT_EQ(filled.size(), made.size());
+        std::multiset<std::string> before, after;
+        for (std::size_t i = 0; i < made.size(); ++i)
+            before.insert(made[i].given), after.insert(filled[i].given);
+        EXPECT_EQ(before, after) << "nothing is lost";
+        const std::vector<double> pages = pageHeights(filled);
+        for (std::size_t page = 1; page + 1 < pages.size(); ++page) {
+            EXPECT_GT(pages[page], kPageHeight / 2) << "seed " << seed << ", page " << page + 1;
+            ++compared;
+        }
+        for (const Exercise& exercise : filled)
+            EXPECT_LT(heightOnPaper(exercise), kPageHeight) << exercise.kind;
+        pagesInOrder += static_cast<int>(pageHeights(made).size());
+        pagesFilled += static_cast<int>(pages.size());
+    }
+    EXPECT_GT(compared, 60);
+    EXPECT_LT(pagesFilled, pagesInOrder) << "of 40 sheets";
 }
 
 } // namespace

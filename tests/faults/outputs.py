@@ -129,5 +129,13 @@ OUTPUTS = [
     refused("slides into a file", ["slides", "-o", "s.json"], 4, "s.json"),
     refused("a scene packed into a folder that is there", ["pack", "s.json", "-o", "here"], 4, "here", files={"here/inner": ""}),
     refused("a scene exported into a folder that is there", ["export", "s.json", "-o", "here", "--to", "gltf"], 4, "here", files={"here/inner": ""}),
+    refused("exercises in a folder that is there", ["exercise", "-o", "here"], 4, "here", files={"here/inner": ""}),
+    refused("a key of exercises where there is no folder", ["exercise", "-o", "sheet", "--key", "gone/key.html"], 4, "gone"),
+    refused("a folder for the key of exercises", ["exercise", "-o", "sheet", "--key", "key.html"], 4, "key.html", files={"key.html/inner": ""}),
+    refused("a judged picture into a file", ["judge", "seen.png", "s.json", "-o", "s.json"], 4, "s.json", files={"seen.png": dot()}),
+    refused("a picture to be judged, for its errors, through a link", ["judge", "seen.png", "s.json", "-o", "."], 2, "errors.png", "that is read",
+            files={"seen.png": dot(), "errors.png": link_to("seen.png")}),
+    refused("a score sheet for its plug-in, through a link", ["grade", "--plugin", "p.so", "--sheet", "html:x.html"], 3, "p.so", "no shared library",
+            files={"p.so": "no library", "x.html": link_to("p.so")}),
     refused("a new technique in a folder that is there", ["new-technique", "here"], 4, "here", files={"here/inner": ""}),
 ]

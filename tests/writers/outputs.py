@@ -52,6 +52,9 @@ LONG = SHORT + [
     Output("technique", ["new-technique", "my-own", "-o", "FOLDER/my-own"], once=True),
     Output("packed scene", ["pack", "box.json", "-o", "FOLDER/packed"], once=True),
     Output("exported scene", ["export", "box.json", "-o", "FOLDER/exported", "--to", "pov"], once=True),
+    Output("exercises", ["exercise", "--seed", "7", "--questions", "2", "-o", "FOLDER/sheet", "--key", "FOLDER/key.html"], {"key.html": "old"}, once=True),
+    Output("judged picture", ["judge", "seen.png", "box.json", "-o", "FOLDER"], {"errors.png": "old"},
+           prepared_by=[["capture", "box.json", "-t", "ray-traced", "--stage", "visibility", "-o", "seen.png", *SMALL]]),
     Output("merged report", ["report", "merge", "made/report", "-o", "FOLDER"], prepared_by=[[*REPORT, "made/report"]]),
     Output("window settings", ["window-settings", "FOLDER"], program="writer_trial"),
     Output("slide of the window", ["slide", "FOLDER"], {"slides.json": DECK.replace("box.json", "still-life")}, appends=True,
@@ -104,13 +107,13 @@ def is_json(data):
 
 
 def is_whole(name, data, reference):
-    """For a file that holds measured times, and so never twice the same bytes: whether it comes to its end."""
+    """For a file that holds measured times, or its own place, and so never twice the same bytes: whether it comes to its end."""
     suffix = Path(name).suffix
     if suffix == ".png":
         return is_whole_png(data)
     if suffix == ".json":
         return is_json(data)
-    if suffix == ".csv":
+    if suffix in (".csv", ".md"):
         return data.endswith(b"\n") and data.count(b"\n") == reference.count(b"\n")
     if suffix in (".svg", ".html"):
         return data.rstrip().endswith(f"</{suffix[1:]}>".encode())

@@ -20,6 +20,7 @@ namespace shadowlab::course {
 struct NamedNumber {
     std::string name;
     double value = 0;
+    bool operator==(const NamedNumber&) const = default;
 };
 
 struct ExerciseFigure {
@@ -52,8 +53,8 @@ std::span<const ExerciseKind> exerciseKinds();
 /// Throws Error (usage) with the nearest name for one that is not there.
 const ExerciseKind& findExerciseKind(std::string_view name);
 
-/// So many exercises of those kinds, in the order of the lectures; each kind is asked before one is asked again. The same seed, the same
-/// exercises.
+/// So many exercises of those kinds, in the order of the lectures, no two the same; each kind is asked before one is asked again. The same
+/// seed, the same exercises. Throws Error (usage) where a kind has fewer; each has 48 and more.
 std::vector<Exercise> makeExercises(std::uint64_t seed, int count, const std::vector<const ExerciseKind*>& kinds);
 
 } // namespace shadowlab::course

@@ -31,6 +31,21 @@ constexpr std::array kKinds{
     ExerciseKind{"two-patches", "Radiosity: two patches", askForTwoPatches},
 };
 
+/// One that asks for something else than those of its kind that are there.
+Exercise differentExercise(const ExerciseKind& kind, Chance& chance, std::span<const Exercise> others) {
+    // The kind with the fewest has 64 different ones: the last of 48 is found in 1 of 4 tries, and fails all of these once in 10^124.
+    constexpr int kMostTries = 1000;
+    for (int i = 0; i < kMostTries; ++i) {
+        Exercise exercise = kind.make(chance);
+        const bool isThere = std::ranges::any_of(others, [&](const Exercise& other) {
+            return other.kind == kind.name && other.given == exercise.given && other.data == exercise.data;
+        });
+        if (!isThere) return exercise;
+    }
+    throw Error(ExitStatus::usage, "there are not so many different exercises of the kind '" + std::string(kind.name) +
+                                       "'; ask for fewer, or for more kinds");
+}
+
 } // namespace
 
 std::span<const ExerciseKind> exerciseKinds() { return kKinds; }
@@ -59,7 +74,7 @@ std::vector<Exercise> makeExercises(std::uint64_t seed, int count, const std::ve
     std::ranges::stable_sort(chosen, {}, [](const ExerciseKind* kind) { return kind - kKinds.data(); });
     std::vector<Exercise> exercises;
     for (const ExerciseKind* kind : chosen) {
-        exercises.push_back(kind->make(chance));
+        exercises.push_back(differentExercise(*kind, chance, exercises));
         exercises.back().kind = kind->name;
         exercises.back().title = kind->title;
     }
@@ -67,10 +82,20 @@ std::vector<Exercise> makeExercises(std::uint64_t seed, int count, const std::ve
 }
 
 std::string printed(double value) {
+    // 1/32 has five digits after the point. What differs from such a number by less than a millionth of its last digit differs by rounding.
+    constexpr int kUsualDigits = 3, kMostDigits = 5;
+    const auto isExactWith = [&](int digits) {
+        const double scaled = value * std::pow(10, digits);
+        return std::abs(scaled - std::round(scaled)) < 1e-6;
+    };
+    int digits = kUsualDigits;
+    while (digits < kMostDigits && !isExactWith(digits))
+        ++digits;
+    if (!isExactWith(digits)) digits = kUsualDigits;
+    const double scale = std::pow(10, digits), rounded = std::round(value * scale) / scale + 0.0; // no "-0"
     std::array<char, 64> buffer{};
-    const double rounded = std::round(value * 1000) / 1000 + 0.0; // no "-0"
     const auto [end, error] =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded, std::chars_format::fixed, 3);
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded, std::chars_format::fixed, digits);
     if (error != std::errc{}) return "?";
     std::string text(buffer.data(), end);
     while (text.back() == '0')

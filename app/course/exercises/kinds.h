@@ -28,7 +28,7 @@ Exercise askForFormFactor(Chance& chance);
 Exercise askForRowSum(Chance& chance);
 Exercise askForTwoPatches(Chance& chance);
 
-/// A number as it is printed: up to three digits after the point.
+/// A number as it is printed: exact where five digits after the point are enough, or else rounded to three.
 std::string printed(double value);
 /// "(1, 2.5, -3)".
 std::string printed(const dvec3& vector);

@@ -68,10 +68,10 @@ Exercise askForFormFactor(Chance& chance) {
 }
 
 Exercise askForRowSum(Chance& chance) {
-    const int side = chance.between(1, 4);
+    const int side = chance.between(1, 9);
     int height = 0;
     do
-        height = chance.between(1, 6);
+        height = chance.between(1, 9);
     while (height > 4 * side || side > 3 * height);
     const double s = side, h = height;
     // To three digits, as it is printed: all else follows from what the sheet says.

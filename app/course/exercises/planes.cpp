@@ -26,6 +26,34 @@ void add(std::vector<NamedNumber>& all, const std::vector<NamedNumber>& more) {
     all.insert(all.end(), more.begin(), more.end());
 }
 
+struct Rectangle {
+    dvec2 lower, upper;
+};
+
+bool overlap(const Rectangle& a, const Rectangle& b) {
+    return glm::all(glm::lessThan(a.lower, b.upper)) && glm::all(glm::lessThan(b.lower, a.upper));
+}
+
+/// In pixels, where the name of a point stands beside it: clear of the plate's outline and of the word "plate", in a figure whose y goes
+/// down. The last of six places where none is.
+dvec2 clearOffset(dvec2 place, const Rectangle& plate, dvec2 plateLabel) {
+    // A capital letter of the label's size, and five small ones around the middle of their baseline.
+    constexpr double kLetter = SquaredPaper::kLabel / SquaredPaper::kSquare, kMargin = 0.08;
+    const Rectangle word{plateLabel - dvec2(1.6, 0.8) * kLetter, plateLabel + dvec2(1.6, 0.3) * kLetter};
+    dvec2 offset;
+    for (const dvec2 tried :
+         {dvec2(12, -12), dvec2(-12, -12), dvec2(12, 31), dvec2(-12, 31), dvec2(16, 10), dvec2(-16, 10)}) {
+        offset = tried;
+        const dvec2 start = place + offset / SquaredPaper::kSquare - dvec2(offset.x < 0 ? 0.7 * kLetter : 0, 0);
+        const Rectangle letter{start - dvec2(kMargin, 0.75 * kLetter + kMargin),
+                               start + dvec2(0.7 * kLetter + kMargin, kMargin)};
+        const bool isInside =
+            glm::all(glm::greaterThan(letter.lower, plate.lower)) && glm::all(glm::lessThan(letter.upper, plate.upper));
+        if ((isInside || !overlap(letter, plate)) && !overlap(letter, word)) break;
+    }
+    return offset;
+}
+
 } // namespace
 
 Exercise askForProjection(Chance& chance) {
@@ -107,7 +135,7 @@ Exercise askForPlaneHeights(Chance& chance) {
                      " and C = " + printed(points[2]) + ".";
     exercise.questions = {"How high above the plane are the lamp and the three points?",
                           "Which of the three can throw a shadow on the plane, and why not the others?"};
-    std::string heights = "lamp " + printed(height(lamp)) + " m", casts;
+    std::string heights = "lamp " + printed(height(lamp)) + " m", caster, others;
     exercise.data = numbersOf("N", normal);
     exercise.data.push_back({"D", double(level)});
     add(exercise.data, numbersOf("lamp", lamp));
@@ -117,16 +145,16 @@ Exercise askForPlaneHeights(Chance& chance) {
         const double above = height(points[i]);
         heights += ", " + name + " " + printed(above) + " m";
         if (above > 0 && above < height(lamp))
-            casts += name + ": it lies between the plane and the lamp. ";
+            caster = "Only " + name + ", which lies between the plane and the lamp: 0 < " + printed(above) + " < " +
+                     printed(height(lamp)) + ".";
         else
-            casts +=
-                name + (above < 0 ? " lies below the plane. "
-                                  : " is higher than the lamp: its image would be a false shadow (an anti-shadow). ");
+            others += " " + name +
+                      (above < 0 ? " lies below the plane."
+                                 : " is higher than the lamp: its image would be a false shadow (an anti-shadow).");
         add(exercise.data, numbersOf(name, points[i]));
         exercise.results.push_back({name, above});
     }
-    casts.pop_back();
-    exercise.answers = {heights, casts};
+    exercise.answers = {heights, caster + others};
     exercise.working = "$\\mathbf{N}$ is a unit vector, so $\\mathbf{N} \\cdot P + D$ is the distance from the plane, "
                        "positive on the lamp's side. A point throws a "
                        "shadow if its height is between 0 and that of the lamp.";
@@ -171,7 +199,8 @@ Exercise askForShadowedPixels(Chance& chance) {
 
     Exercise exercise;
     exercise.given = "The picture of " + std::to_string(kPicture.x) + " x " + std::to_string(kPicture.y) +
-                     " pixels shows a floor from straight above, one metre to a pixel. Pixel (x, y) has its centre at "
+                     " pixels, the thick frame on the squared paper, shows a floor from straight above, one metre to a "
+                     "pixel. Pixel (x, y) has its centre at "
                      "(x + 0.5, y + 0.5). A lamp stands " +
                      std::to_string(lampHeight) + " m above the point L. A plate hangs level, " +
                      std::to_string(plateHeight) + " m above the floor, over the rectangle from (" + printed(lower.x) +
@@ -191,12 +220,15 @@ Exercise askForShadowedPixels(Chance& chance) {
                        std::to_string(factor) + " times its distance.";
     exercise.mistake = "A pixel is in shadow if its centre is, not if the shadow touches it. What lies outside of the "
                        "picture is not counted.";
-    SquaredPaper paper({0, 0}, kPicture, "x", "y", true);
+    // The shadow may reach beyond the picture by a metre, and is drawn whole.
+    SquaredPaper paper({-1, -1}, kPicture + 1, "x", "y", true);
+    paper.drawing().rectangle(paper.at({0, 0}), SquaredPaper::kSquare * dvec2(kPicture), "", {"#1a1a1a", 5});
     paper.box(glm::max(lower, dvec2(0)), glm::min(upper, dvec2(kPicture)), "");
     // Beside the plate on the side where L is not; small plates have no room for it.
     const double labelY = lamp.y > centre.y ? lower.y - 0.15 : std::min(upper.y + 0.5, kPicture.y - 0.15);
-    paper.label({glm::clamp(centre.x, 0.8, kPicture.x - 0.8), labelY}, "plate");
-    paper.point(lamp, "L", "#e69f00");
+    const dvec2 plateLabel(glm::clamp(centre.x, 0.8, kPicture.x - 0.8), labelY);
+    paper.label(plateLabel, "plate");
+    paper.point(lamp, "L", "#e69f00", clearOffset(lamp, {lower, upper}, plateLabel));
     exercise.figure = {paper.drawing(),
                        "A grid of pixels, a rectangle that is a plate seen from above, and the point L below the lamp"};
     exercise.data = {{"L.x", lamp.x},

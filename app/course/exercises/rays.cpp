@@ -41,9 +41,10 @@ long countedRays(int levels) { return levels == 0 ? 1 : 1 + 2 * countedRays(leve
 
 Exercise askForReflection(Chance& chance) {
     const bool alongZ = chance.coin();
-    const std::vector<dvec2> directions{{0.6, -0.8}, {0.8, -0.6},   {-0.6, -0.8},   {-0.8, -0.6},
-                                        {0, -1},     {0.28, -0.96}, {-0.96, -0.28}, {0.96, -0.28}};
-    const std::vector<dvec2> normals{{0, 1}, {0.6, 0.8}, {-0.6, 0.8}, {0.8, 0.6}, {-0.8, 0.6}};
+    const std::vector<dvec2> directions{{0.6, -0.8},   {0.8, -0.6},    {-0.6, -0.8},  {-0.8, -0.6},  {0, -1},
+                                        {0.28, -0.96}, {-0.28, -0.96}, {0.96, -0.28}, {-0.96, -0.28}};
+    const std::vector<dvec2> normals{{0, 1},      {0.6, 0.8},   {-0.6, 0.8},  {0.8, 0.6},
+                                     {-0.8, 0.6}, {0.28, 0.96}, {-0.28, 0.96}};
     dvec2 flatU, flatN;
     do {
         flatU = chance.oneOf(directions);
@@ -75,19 +76,26 @@ Exercise askForRefraction(Chance& chance) {
     const auto [sine, index] = chance.oneOf(std::vector<Pair>{{0.6, 1.5},
                                                               {0.6, 1.25},
                                                               {0.6, 1.2},
+                                                              {0.6, 1.6},
                                                               {0.8, 1.6},
                                                               {0.8, 1.25},
+                                                              {0.8, 1.28},
                                                               {0.96, 1.6},
                                                               {0.96, 1.2},
                                                               {0.96, 1.5},
-                                                              {0.28, 1.4}});
+                                                              {0.96, 1.28},
+                                                              {0.96, 1.25},
+                                                              {0.28, 1.4},
+                                                              {0.28, 1.25},
+                                                              {0.28, 1.6},
+                                                              {0.28, 1.12}});
     const bool alongZ = chance.coin(), toward = chance.coin();
     const dvec3 u = inSpace({toward ? sine : -sine, -std::sqrt(1 - sine * sine)}, alongZ), normal(0, 1, 0);
     const dvec3 refraction = refractedRay(u, normal, 1 / index);
     const double limit = glm::degrees(std::asin(1 / index));
     Exercise exercise;
     exercise.given = "A ray of the direction u = " + printed(u) +
-                     " comes from air and meets glass of the index of refraction " + printed(index) +
+                     " comes from air and meets a clear body of the index of refraction " + printed(index) +
                      ". The normal is $\\mathbf{N}$ = " + printed(normal) + ".";
     exercise.questions = {"Find the direction T of the refracted ray.",
                           "From within, at which angle of incidence does total reflection begin?"};
@@ -97,7 +105,7 @@ Exercise askForRefraction(Chance& chance) {
                        "(\\cos\\theta_r - \\eta \\cos\\theta_i) \\mathbf{N}$. "
                        "Total reflection begins where $\\sin\\theta = \\eta$.";
     exercise.mistake =
-        "$\\eta$ is the index on the ray's own side over that beyond: less than 1 on the way into glass.";
+        "$\\eta$ is the index on the ray's own side over that beyond: less than 1 on the way out of air.";
     append(exercise.data, componentsOf("u", u));
     exercise.data.push_back({"index", index});
     exercise.results = componentsOf("T", refraction);
@@ -141,8 +149,9 @@ Exercise askForIntensity(Chance& chance) {
         printed(own1) +
         " is what the lamps themselves make of it. Its reflected ray meets surface 2: $k_r$ = " + printed(kr2) +
         ", $k_t$ = " + printed(kt2) + ", and " + printed(own2) +
-        " from the lamps. Its refracted ray brings 1 back the intensity " + printed(seenR) +
-        ". Of surface 2 the reflected ray brings " + printed(seenRR) + ", the refracted ray " + printed(seenRT) + ".";
+        " from the lamps. The refracted ray of surface 1 brings back the intensity " + printed(seenR) +
+        ", the reflected ray of surface 2 " + printed(seenRR) + ", and the refracted ray of surface 2 " +
+        printed(seenRT) + ".";
     exercise.questions = {"Draw the tree of rays. Which intensity does surface 2 send back?",
                           "Which intensity does the pixel get?"};
     exercise.answers = {printed(second), printed(first)};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "app/course/exercises/page_filling.h"
 #include "app/drawing/markup.h"
 #include "app/drawing/prose.h"
 
@@ -11,8 +12,8 @@ namespace shadowlab::course {
 
 namespace {
 
-// A question and its room for an answer stay on one page, so does a figure; a heading stays with what follows it. The page's foot says
-// which sheet it is of, because sheets get mixed up.
+// An exercise stays on one page, its figure and room for answers included: page_filling.h knows the heights that follow from this style.
+// The page's foot says which sheet it is of, because sheets get mixed up.
 constexpr std::string_view kSheetStyle = R"(
 :root { color-scheme: light }
 * { box-sizing: border-box }
@@ -24,29 +25,31 @@ h1 { font-size: 15pt; margin: 0 0 5mm }
 .who span { display: flex; flex: 2; gap: 2mm; align-items: end }
 .who span + span { flex: 1 }
 .who span::after { content: ''; flex: 1; border-bottom: .8pt solid #1a1a1a }
-h2 { font-size: 11.5pt; margin: 7mm 0 1.5mm; break-after: avoid }
-.given { margin: 0 0 2mm; break-inside: avoid; break-after: avoid }
-figure { margin: 2mm auto 3mm; break-inside: avoid; text-align: center }
+section { break-inside: avoid }
+h2 { font-size: 11.5pt; margin: 5mm 0 1.5mm; break-after: avoid }
+.given { margin: 0 0 2mm }
+figure { margin: 2mm auto 3mm; text-align: center }
 figure svg { display: block; width: 100%; height: auto; margin: 0 auto }
 ol { list-style: lower-alpha; margin: 0; padding-left: 6mm }
-li { break-inside: avoid; margin-bottom: 2mm }
-.room { height: 17mm; border-bottom: .6pt dotted #888 }
-.room i { display: block; height: 8.5mm; border-bottom: .6pt dotted #888 }
-.key section { break-inside: avoid }
-.told { margin: 1.5mm 0; break-inside: avoid }
+li { margin-bottom: 2mm }
+.room { height: 16mm; border-bottom: .6pt dotted #888 }
+.room i { display: block; height: 8mm; border-bottom: .6pt dotted #888 }
+.told { margin: 1.5mm 0 }
 math mi, math mn, math mtext { font-family: 'DejaVu Sans', Verdana, sans-serif }
 math .variable { font-style: italic }
 math .vector { font-weight: bold }
 @media print { body { padding: 0; max-width: none } }
 )";
 
-std::string_view pageSize(Paper paper) { return paper == Paper::letter ? "letter" : "A4"; }
+/// Letter paper is shorter than A4; with smaller margins its text is nearly as high.
+std::string_view pageSize(Paper paper) {
+    return paper == Paper::letter ? "size: letter; margin: 10mm 16mm 14mm" : "size: A4; margin: 16mm 16mm 18mm";
+}
 
 /// The SVG element alone: the declaration above it belongs to a file.
 std::string inlineFigure(const ExerciseFigure& figure) {
     const std::string document = figure.drawing.document(figure.title);
-    // The widest squared paper, 1212 pixels, is nearly as wide as a line, with squares of seven millimetres to draw on.
-    const long millimetres = std::lround(figure.drawing.size().x * 152 / 1212);
+    const long millimetres = std::lround(figure.drawing.size().x * kMillimetresOfPixel);
     return "<figure style=\"max-width: " + std::to_string(millimetres) + "mm\">" +
            document.substr(document.find("<svg")) + "</figure>\n";
 }
@@ -55,10 +58,10 @@ std::string pageOf(const std::string& title, const std::string& foot, Paper pape
                    const std::string& body) {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
            "content=\"width=device-width\">\n<title>" +
-           drawing::escapedMarkup(title) + "</title>\n<style>" + std::string(kSheetStyle) +
-           "@page { size: " + std::string(pageSize(paper)) +
-           "; margin: 16mm 16mm 18mm; @bottom-center { font: 8pt 'DejaVu Sans', Verdana, sans-serif; content: \"" +
-           foot + ", page \" counter(page) \" of \" counter(pages) } }\n</style>\n</head>\n<body class=\"" + bodyClass +
+           drawing::escapedMarkup(title) + "</title>\n<style>" + std::string(kSheetStyle) + "@page { " +
+           std::string(pageSize(paper)) +
+           "; @bottom-center { font: 8pt 'DejaVu Sans', Verdana, sans-serif; content: \"" + foot +
+           ", page \" counter(page) \" of \" counter(pages) } }\n</style>\n</head>\n<body class=\"" + bodyClass +
            "\">\n" + body + "</body>\n</html>\n";
 }
 

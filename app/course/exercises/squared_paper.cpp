@@ -7,7 +7,7 @@ namespace shadowlab::course {
 
 namespace {
 
-constexpr double kLeftMargin = 56, kTopMargin = 36, kRightMargin = 36,
+constexpr double kLeftMargin = 56, kTopMargin = 48, kRightMargin = 36,
                  kBottomMargin = 60; // for the numbers of the axes
 const drawing::Stroke kSquares{"#c8c8c8", 1.5};
 
@@ -24,19 +24,19 @@ SquaredPaper::SquaredPaper(dvec2 lower, dvec2 upper, std::string_view firstAxis,
         .size = 21, .anchor = drawing::Anchor::middle, .color = "#555555", .hasRim = false};
     for (int x = static_cast<int>(lower.x); x <= static_cast<int>(upper.x); ++x) {
         line({x, lower.y}, {x, upper.y}, kSquares);
-        drawing_.text({at({x, 0}).x, drawing_.size().y - kBottomMargin + 22}, std::to_string(x), numbers);
+        drawing_.text({at({x, 0}).x, drawing_.size().y - kBottomMargin + 26}, std::to_string(x), numbers);
     }
     drawing::TextStyle atLeft = numbers;
     atLeft.anchor = drawing::Anchor::end;
     for (int y = static_cast<int>(lower.y); y <= static_cast<int>(upper.y); ++y) {
         line({lower.x, y}, {upper.x, y}, kSquares);
-        drawing_.text({kLeftMargin - 10, at({0, y}).y + 6}, std::to_string(y), atLeft);
+        drawing_.text({kLeftMargin - 14, at({0, y}).y + 6}, std::to_string(y), atLeft);
     }
     drawing::TextStyle names = numbers;
     names.isItalic = true;
     drawing_.text({0.5 * (at(lower).x + at(upper).x), drawing_.size().y - 10}, firstAxis, names);
-    drawing_.text({kLeftMargin - 20, secondGoesDown ? drawing_.size().y - kBottomMargin + 22 : kTopMargin - 14},
-                  secondAxis, names);
+    // Above the uppermost number, and clear of it, whichever way the axis goes: at the lower end it would meet the numbers of the other one.
+    drawing_.text({kLeftMargin - 20, kTopMargin - 26}, secondAxis, names);
 }
 
 dvec2 SquaredPaper::at(dvec2 place) const {
