@@ -7,6 +7,7 @@
 
 #include "app/foreign/export/format.h"
 #include "app/foreign/export/left_out.h"
+#include "app/foreign/export/light_words.h"
 #include "app/foreign/export/numbers.h"
 #include "techniques/foundation/image/output_file.h"
 
@@ -214,12 +215,12 @@ std::string howToPov(const PlainScene& scene, ivec2 size) {
     const std::string start = "    povray +W" + std::to_string(size.x) + " +H" + std::to_string(size.y) + " -D -A +FN16 File_Gamma=srgb ";
     std::string text_ = "With POV-Ray 3.7 (tried with 3.7.0.10; `apt install povray`), in this folder:\n\n" + start + "+Iscene.pov +Olook.png\n" +
                         start + "+Icalibration.pov +Ocalibration.png\n";
+    const std::vector<std::string> words = lightWords(scene.lights);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const std::string of = " Declare=Light=" + std::to_string(i + 1) + " ";
-        const std::string& name = scene.lights[i].name;
-        text_ += start + "+Iscene.pov Declare=Picture=1" + of + shellWord("+Oshaded-" + name + ".png") + "\n";
-        text_ += start + "+Iscene.pov Declare=Picture=2" + of + shellWord("+Ounshadowed-" + name + ".png") + "\n";
-        text_ += start + "+UA +Iscene.pov Declare=Picture=3" + of + shellWord("+Ovisibility-" + name + ".png") + "\n";
+        text_ += start + "+Iscene.pov Declare=Picture=1" + of + "+Oshaded-" + words[i] + ".png\n";
+        text_ += start + "+Iscene.pov Declare=Picture=2" + of + "+Ounshadowed-" + words[i] + ".png\n";
+        text_ += start + "+UA +Iscene.pov Declare=Picture=3" + of + "+Ovisibility-" + words[i] + ".png\n";
     }
     return text_ + "\nPictures are sRGB with 16 bits a channel. `-A` leaves antialiasing out, so that each pixel is the ray through its centre. In "
                    "pictures 1 to 3 a light with an area is a point at its centre; in picture 3 normals are those of the triangles.\n";
@@ -227,6 +228,6 @@ std::string howToPov(const PlainScene& scene, ivec2 size) {
 
 } // namespace
 
-const Format kPov{"pov", "POV-Ray", "`scene.pov`, `calibration.pov`: scripts, complete but for images in `textures/`", true, writePov, leftOutOfPov, howToPov};
+const Format kPov{"pov", "POV-Ray", "`scene.pov`, `calibration.pov`: scripts", "images of materials lie in `textures/`", true, writePov, leftOutOfPov, howToPov};
 
 } // namespace shadowlab::foreign
