@@ -29,8 +29,9 @@ LIGHTS = {"still-life": ("key",), "three-lights": ("left", "middle", "right"), "
           "hung-ring": ("sun",), "room-with-lamps": ("spot", "panel", "bulb")}
 # Lights with an area are drawn as points, and judged by their centres.
 BY_CENTRE = ("panel", "bulb")
-# Beside lights with an area, which three.js takes for points without a cosine, the share of a third one is another.
-VISIBILITY_ALONE = ("room-with-lamps",)
+# By visibility alone, and not by a pair: a pair needs the other lights as bright as in the scene. three.js takes a panel for a point without a
+# cosine; POV-Ray's lights that cast no shadow have no cone and shine to all sides. Cycles has them as they are.
+VISIBILITY_ALONE = (("three", "spot"), ("three", "panel"), ("three", "bulb"), ("pov", "panel"), ("pov", "bulb"))
 PICTURES = ("visibility", "shaded", "unshadowed")
 THREE_VERSION = "0.187"
 # Of the pixels with a surface, how many a shadow map may misjudge. In the colonnade one map of 4096 texels has to cover 26 m, and the
@@ -115,14 +116,14 @@ def complaints_about(renderer, scene, program, folder, three):
     board = exported / "calibration.png"
     renderer.draw(exported, "calibration", "look", None, board)
     for light in LIGHTS[scene]:
-        pictures = PICTURES[:1] if scene in VISIBILITY_ALONE else PICTURES
+        pictures = PICTURES[:1] if (renderer.format, light) in VISIBILITY_ALONE else PICTURES
         files = {picture: exported / f"{picture}-{light}.png" for picture in pictures}
         for picture, file in files.items():
             renderer.draw(exported, "scene", picture, light, file)
         how = ["--by-centre"] if light in BY_CENTRE else []
         answers = {"visibility": judged(program, files["visibility"], scene, light, "--calibration", board, *how)}
         if "shaded" in files:
-            answers["a pair"] = judged(program, files["shaded"], scene, light, "--reference", files["unshadowed"], "--calibration", board)
+            answers["a pair"] = judged(program, files["shaded"], scene, light, "--reference", files["unshadowed"], "--calibration", board, *how)
         for kind, answer in answers.items():
             if not answer["calibration"]["right"]:
                 yield f"{renderer.name}, {scene}: the calibration is wrong: {answer['calibration']['faults']}"

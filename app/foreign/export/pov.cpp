@@ -44,7 +44,8 @@ std::string povHeader(const ExportJob& job) {
            "#declare White = (Picture = 3);\n"
            "#declare One = (Picture != 0 & Light = 0 ? 1 : Light);\n"
            "#macro Shines(Number) (One = 0 | One = Number | Picture = 1 | Picture = 2) #end\n"
-           "#macro Casts(Number) (Picture = 0 | Picture = 3 | Picture = 1 & One = Number) #end\n\n"
+           // A shadowless light has neither cone nor front. So the one keeps its kind, and in picture 2 objects cast nothing.
+           "#macro Casts(Number) (Picture = 0 | Picture = 3 | One = Number) #end\n\n"
            "global_settings { assumed_gamma 1.0 ambient_light rgb 1 max_trace_level 12 }\n";
 }
 
@@ -174,7 +175,7 @@ std::string povMesh(const PlainMesh& mesh) {
     text_ += "  face_indices { " + std::to_string(mesh.triangles.size());
     for (const uvec3& triangle : mesh.triangles)
         text_ += ",\n<" + std::to_string(triangle.x) + ", " + std::to_string(triangle.y) + ", " + std::to_string(triangle.z) + ">";
-    return text_ + " }\n  material { Material_" + std::to_string(mesh.material + 1) + " }" + (mesh.castsShadow ? "" : " no_shadow") + "\n}\n";
+    return text_ + " }\n  material { Material_" + std::to_string(mesh.material + 1) + " }" + (mesh.castsShadow ? " #if (Picture = 2) no_shadow #end" : " no_shadow") + "\n}\n";
 }
 
 void writePov(const ExportJob& job) {
@@ -198,6 +199,9 @@ std::vector<std::string> leftOutOfPov(const PlainScene& scene) {
     LeftOut list(scene);
     list.noReceivesShadow();
     list.noNear();
+    const auto hasSide = [](const scene::Light& light) { return light.type == scene::LightType::spot || light.type == scene::LightType::rect; };
+    if (scene.lights.size() > 1)
+        list.lights(hasSide, "in pictures 1 and 2 of another light it shines to all sides, because a light that casts no shadow has no cone");
     list.soften("the soft edge of the cone falls off along another curve; in picture 3 the cone ends where it ends here");
     list.lights([](const scene::Light& light) { return scene::hasArea(light); },
                 "in picture 0 its shadow has a penumbra, of 9 x 9 points; its strength falls off as that of a point at its centre");

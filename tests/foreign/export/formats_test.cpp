@@ -202,7 +202,9 @@ TEST(ExportFormats, ThePovRayFileIsBalancedAndHasAllTriangles) {
         EXPECT_GE(triangles, 14u);
         EXPECT_TRUE(scene::contains(file, "location <" + text(plain.eye.position) + ">"));
         EXPECT_EQ(count(file, "light_source {"), 2 * plain.lights.size()); // as it is, and white
-        EXPECT_EQ(count(file, "no_shadow"), static_cast<std::size_t>(std::ranges::count_if(plain.meshes, [](const PlainMesh& m) { return !m.castsShadow; })));
+        const auto casters = static_cast<std::size_t>(std::ranges::count_if(plain.meshes, [](const PlainMesh& m) { return m.castsShadow; }));
+        EXPECT_EQ(count(file, " no_shadow\n"), plain.meshes.size() - casters);
+        EXPECT_EQ(count(file, "#if (Picture = 2) no_shadow #end\n"), casters) << "of the one light none casts a shadow there, and it keeps its cone";
         ++files;
     });
     EXPECT_GE(files, 13u);
@@ -270,7 +272,7 @@ TEST(ExportFormats, TheReadmeNamesWhatThisSceneLosesAndNothingElse) {
     const std::vector<std::pair<const Format*, std::vector<const char*>>> expected{
         {&kBlender, {"never shadowed", "along another curve", "by its surface", "Beckmann", "GGX", "no priority"}},
         {&kThree, {"shadow maps", "is a point at its centre", "mirrors nothing", "lets nothing through", "Schlick"}},
-        {&kPov, {"never shadowed", "9 x 9", "both sides", "no cosine", "clear", "lets light through"}},
+        {&kPov, {"never shadowed", "shines to all sides", "9 x 9", "both sides", "no cosine", "clear", "lets light through"}},
         {&kMitsuba, {"pixel centres", "ambient light", "background", "exposure", "casts no shadow", "never shadowed", "no highlight", "Fresnel"}},
         {&kGltf, {"ambient light", "background", "exposure", "casts no shadow", "never shadowed", "spot of half a turn", "index of refraction"}}};
     for (const auto& [format, parts] : expected) {
