@@ -11,6 +11,7 @@
 #include "app/cli/option_values.h"
 #include "app/foreign/export/export_scene.h"
 #include "techniques/foundation/image/output_folder.h"
+#include "techniques/foundation/scene/load/scene_file.h"
 
 namespace shadowlab::cli {
 
@@ -58,19 +59,27 @@ ExportOptions exportOptions(const GivenOptions& given) {
     return options;
 }
 
+/// Where files are named: as the caller has them, or whole, so that a command runs from any folder.
+enum class Paths { asGiven, absolute };
+
+std::string pathWord(const std::filesystem::path& path, Paths paths) {
+    return foreign::shellWord((paths == Paths::absolute ? std::filesystem::absolute(path).lexically_normal() : path).string());
+}
+
 /// The scene as any command takes it, with the options that go with it.
-std::string sceneWords(const ExportOptions& options) {
-    std::string words = foreign::shellWord(options.scene);
+std::string sceneWords(const ExportOptions& options, Paths paths) {
+    const bool isFile = scene::fileKind(options.scene) != scene::FileKind::none; // else built in
+    std::string words = isFile ? pathWord(options.scene, paths) : foreign::shellWord(options.scene);
     if (!options.view.empty()) words += " --view " + foreign::shellWord(options.view);
     if (options.normals) words += " --normals " + std::string(scene::kNormalModes[static_cast<std::size_t>(*options.normals)]);
     for (const std::filesystem::path& folder : options.allowed)
-        words += " --allow " + foreign::shellWord(folder.string());
+        words += " --allow " + pathWord(folder, paths);
     return words;
 }
 
 /// The command line that makes the same folder again.
 std::string commandText(const ExportOptions& options) {
-    std::string text = "shadowlab export " + sceneWords(options) + " -o " + foreign::shellWord(options.output.string()) + " --to " +
+    std::string text = "shadowlab export " + sceneWords(options, Paths::asGiven) + " -o " + foreign::shellWord(options.output.string()) + " --to " +
                        std::string(options.format->name) + " --size " + std::to_string(options.size.x) + "x" + std::to_string(options.size.y);
     if (!options.threeModule.empty()) text += " --three-module " + foreign::shellWord(options.threeModule.string());
     return text;
@@ -79,7 +88,7 @@ std::string commandText(const ExportOptions& options) {
 int exportTo(const ExportOptions& options) {
     const scene::Snapshot scene = loadSeenFrom(options.scene, options.view, loadOptions(options.allowed, options.normals));
     image::writeFolder(options.output, [&](const std::filesystem::path& folder) {
-        foreign::exportScene(*scene, {options.format, sceneWords(options), commandText(options), options.size, options.threeModule}, folder);
+        foreign::exportScene(*scene, {options.format, sceneWords(options, Paths::absolute), commandText(options), options.size, options.threeModule}, folder);
     });
     for (const std::string& remark : scene->notes)
         note(remark);

@@ -60,8 +60,23 @@ TEST_F(ExportTest, TheReadmeTakesOptionsOfTheSceneAlong) {
         "lights": [{"name": "a lamp", "type": "point", "position": [2, 5, 3]}], "objects": [{"shape": "quad", "size": [2, 2]}]})");
     succeed({"export", "views.json", "--view", "from above", "-o", "out", "--to", "pov", "--size", "320x200"});
     const std::string readme = content("out/README.md");
-    for (const char* part : {"views.json --view 'from above'", "--light 'a lamp'", "+W320 +H200", "'visibility-a lamp.png'", "| position | 0, 9, 1 |"})
+    for (const char* part : {"export views.json --view 'from above'", "--light 'a lamp'", "+W320 +H200", "+Ovisibility-a-lamp.png\n", "| position | 0, 9, 1 |"})
         EXPECT_TRUE(scene::contains(readme, part)) << part;
+}
+
+TEST_F(ExportTest, TheJudgeLineOfTheReadmeRunsInItsFolder) {
+    const auto judgeLine = [&](const std::string& file) {
+        const std::string readme = content(file);
+        const std::size_t from = readme.find("    shadowlab judge ");
+        return from == std::string::npos ? "" : readme.substr(from, readme.find('\n', from) - from);
+    };
+    folder.write("in/scenes/box.json", content("box.json"));
+    const std::string place = (std::filesystem::absolute(folder.path()) / "in").lexically_normal().string();
+    succeed({"export", "in/scenes/../scenes/box.json", "-o", "out", "--to", "pov", "--allow", "in"});
+    const std::string line = judgeLine("out/README.md");
+    EXPECT_TRUE(scene::contains(line, "judge visibility-key.png " + place + "/scenes/box.json --allow " + place + " --light key ")) << line;
+    succeed({"export", "still-life", "-o", "built-in", "--to", "pov"});
+    EXPECT_TRUE(scene::contains(judgeLine("built-in/README.md"), "visibility-key.png still-life --light key ")) << "no file, but a name";
 }
 
 TEST_F(ExportTest, ThePageCarriesTheLibrary) {

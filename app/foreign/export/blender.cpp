@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/foreign/export/format.h"
 #include "app/foreign/export/left_out.h"
+#include "app/foreign/export/light_words.h"
 #include "app/foreign/export/plain_scene_json.h"
 #include "techniques/foundation/image/output_file.h"
 
@@ -37,11 +38,9 @@ std::string howToBlender(const PlainScene& scene, ivec2 size) {
     const std::string pixels = " --size " + std::to_string(size.x) + "x" + std::to_string(size.y);
     std::string text = "With Blender 3.4 or later (tried with 3.4.1; `apt install blender`):\n\n" + start + "scene.py --" + pixels +
                        " -o look.png\n" + start + "calibration.py --" + pixels + " -o calibration.png\n";
-    for (const scene::Light& light : scene.lights) {
-        const std::string of = " --light " + shellWord(light.name) + pixels + " -o ";
-        for (const char* picture : {"shaded", "unshadowed", "visibility"})
-            text += start + "scene.py -- --picture " + picture + of + shellWord(std::string(picture) + "-" + light.name + ".png") + "\n";
-    }
+    for (const std::string& light : lightWords(scene.lights))
+        for (const std::string picture : {"shaded", "unshadowed", "visibility"})
+            text += start + "scene.py -- --picture " + picture + " --light " + light + pixels + " -o " + picture + "-" + light + ".png\n";
     return text + "\nPictures are sRGB with 16 bits a channel: view transform Standard, no look, no dithering. All rays of a pixel go through its "
                   "centre, because the filter is a hundredth of a pixel wide. Light is direct: diffuse surfaces send each other nothing. "
                   "`--help` behind `--` lists all options.\n";
@@ -49,6 +48,7 @@ std::string howToBlender(const PlainScene& scene, ivec2 size) {
 
 } // namespace
 
-const Format kBlender{"blender", "Blender (Cycles)", "`scene.py`, `calibration.py`: scripts, complete but for images in `textures/`", true, writeBlender, leftOutOfBlender, howToBlender};
+const Format kBlender{"blender", "Blender (Cycles)", "`scene.py`, `calibration.py`: scripts", "images of materials lie in `textures/`", true, writeBlender,
+                      leftOutOfBlender, howToBlender};
 
 } // namespace shadowlab::foreign

@@ -10,8 +10,8 @@ namespace shadowlab::foreign {
 
 struct ExportRequest {
     const Format* format = nullptr;
-    std::string scene;   ///< as commands in the README name it, with the options that go with it
-    std::string command; ///< the whole command line, likewise
+    std::string scene;   ///< as commands that run in the folder name it, with the options that go with it
+    std::string command; ///< the whole command line, as it was given
     ivec2 size{640, 360};
     std::filesystem::path threeModule; ///< see ExportJob
 };

@@ -24,6 +24,7 @@ struct Format {
     std::string_view name;    ///< as --to takes it
     std::string_view program; ///< who reads it
     std::string_view files;   ///< "scene.py": what stands in the folder, for the README
+    std::string_view images;  ///< where the images of materials are: a clause that follows
     bool drawsUnshadowed; ///< can it draw the picture of a light without shadows, beside that with them?
     void (*write)(const ExportJob& job);
     /// What of this scene the format does not say, a sentence without full stop each.

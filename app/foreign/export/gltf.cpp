@@ -10,6 +10,7 @@
 
 #include "app/foreign/export/format.h"
 #include "app/foreign/export/left_out.h"
+#include "app/foreign/export/light_words.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/png/png.h"
 
@@ -282,11 +283,12 @@ std::vector<std::string> leftOutOfGltf(const PlainScene& scene) {
 
 std::string howToGltf(const PlainScene& scene, ivec2 size) {
     const std::string pixels = std::to_string(size.x) + "x" + std::to_string(size.y);
-    const std::string light = scene.lights.empty() ? "" : " --light " + shellWord(scene.lights.front().name);
+    const std::string light = scene.lights.empty() ? "" : lightOption(scene.lights.front().name);
+    const std::string word = scene.lights.empty() ? "" : "-" + lightWords(scene.lights).front();
     return "A .glb file is read by Blender (File, Import), Godot, Unity and Unreal (by their importers), three.js (GLTFLoader), Babylon.js and others, and by "
            "Shadowlab itself:\n\n    shadowlab capture scene.glb --stage visibility -t ray-traced" +
            light + " --size " + pixels +
-           " -o visibility.png\n\n"
+           " -o visibility" + word + ".png\n\n"
            "Choose the file's camera in the program; its vertical angle counts, and the picture is to have " + pixels +
            " pixels. Turn off antialiasing, tone mapping, bloom, ambient light and all lights but one, and let materials be seen from both sides. Draw once with "
            "shadows, once with the light's shadows turned off, and the calibration board with nothing else in the scene.\n";
@@ -294,6 +296,6 @@ std::string howToGltf(const PlainScene& scene, ivec2 size) {
 
 } // namespace
 
-const Format kGltf{"gltf", "programs that read glTF 2.0", "`scene.glb`, `calibration.glb`: complete, images included", true, writeGltf, leftOutOfGltf, howToGltf};
+const Format kGltf{"gltf", "programs that read glTF 2.0", "`scene.glb`, `calibration.glb`", "images of materials included", true, writeGltf, leftOutOfGltf, howToGltf};
 
 } // namespace shadowlab::foreign

@@ -7,6 +7,7 @@
 #include "app/drawing/markup.h"
 #include "app/foreign/export/format.h"
 #include "app/foreign/export/left_out.h"
+#include "app/foreign/export/light_words.h"
 #include "app/foreign/export/numbers.h"
 #include "app/foreign/export/plain_scene_json.h"
 #include "techniques/foundation/image/output_file.h"
@@ -178,14 +179,15 @@ std::string howToMitsuba(const PlainScene& scene, ivec2 size) {
     std::string text_ = "With Mitsuba 3 (`pip install mitsuba numpy`). These files are written after its documentation; no test of Shadowlab runs them.\n\n"
                         "    mitsuba" + pixels + " -o look.exr scene.xml\n    mitsuba" + pixels + " -o calibration.exr calibration.xml\n"
                         "    python3 -c 'import mitsuba as mi; mi.set_variant(\"scalar_rgb\"); mi.util.write_bitmap(\"calibration.png\", mi.Bitmap(\"calibration.exr\"))'\n";
-    for (const scene::Light& light : scene.lights)
-        text_ += "    python3 visibility.py --light " + shellWord(light.name) + " --size " + std::to_string(size.x) + "x" + std::to_string(size.y) + " -o " +
-                 shellWord("visibility-" + light.name + ".png") + "\n";
+    for (const std::string& light : lightWords(scene.lights))
+        text_ += "    python3 visibility.py --light " + light + " --size " + std::to_string(size.x) + "x" + std::to_string(size.y) + " -o visibility-" +
+                 light + ".png\n";
     return text_;
 }
 
 } // namespace
 
-const Format kMitsuba{"mitsuba",       "Mitsuba 3",      "`scene.xml`, `calibration.xml` with `meshes/` and, for visibility, `visibility.py`", false, writeMitsuba, leftOutOfMitsuba, howToMitsuba};
+const Format kMitsuba{"mitsuba", "Mitsuba 3", "`scene.xml`, `calibration.xml` with `meshes/` and, for visibility, `visibility.py`",
+                      "images of materials lie in `textures/`", false, writeMitsuba, leftOutOfMitsuba, howToMitsuba};
 
 } // namespace shadowlab::foreign

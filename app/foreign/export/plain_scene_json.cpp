@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/drawing/markup.h"
+#include "app/foreign/export/light_words.h"
 #include "app/foreign/export/numbers.h"
 #include "techniques/foundation/image/png/png.h"
 
@@ -33,8 +34,8 @@ Json eyeJson(const PlainEye& eye) {
             {"fovYDegrees", eye.fovYDegrees},   {"near", eye.near}, {"far", eye.far}};
 }
 
-Json lightJson(const scene::Light& light) {
-    Json json{{"name", light.name}, {"type", scene::toText(light.type)}, {"color", listOf(light.color)}, {"intensity", light.intensity}};
+Json lightJson(const scene::Light& light, const std::string& word) {
+    Json json{{"name", light.name}, {"word", word}, {"type", scene::toText(light.type)}, {"color", listOf(light.color)}, {"intensity", light.intensity}};
     if (light.type != scene::LightType::directional) json["position"] = listOf(light.positionWorld);
     if (light.type == scene::LightType::directional || light.type == scene::LightType::spot)
         json["direction"] = listOf(light.directionWorld);
@@ -92,8 +93,9 @@ std::string plainSceneJson(const PlainScene& scene, ivec2 size, ImagesAs images,
               {"upper", listOf(scene.upper)}};
     for (const char* list : {"lights", "materials", "images", "meshes"})
         json[list] = Json::array();
+    const std::vector<std::string> words = lightWords(scene.lights);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        json["lights"].push_back(lightJson(scene.lights[i]));
+        json["lights"].push_back(lightJson(scene.lights[i], words[i]));
         json["lights"].back()["casters"] = scene.usefulCasters[i];
     }
     for (const PlainMaterial& material : scene.materials)

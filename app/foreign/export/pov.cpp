@@ -7,6 +7,7 @@
 
 #include "app/foreign/export/format.h"
 #include "app/foreign/export/left_out.h"
+#include "app/foreign/export/light_words.h"
 #include "app/foreign/export/numbers.h"
 #include "techniques/foundation/image/output_file.h"
 
@@ -43,7 +44,8 @@ std::string povHeader(const ExportJob& job) {
            "#declare White = (Picture = 3);\n"
            "#declare One = (Picture != 0 & Light = 0 ? 1 : Light);\n"
            "#macro Shines(Number) (One = 0 | One = Number | Picture = 1 | Picture = 2) #end\n"
-           "#macro Casts(Number) (Picture = 0 | Picture = 3 | Picture = 1 & One = Number) #end\n\n"
+           // A shadowless light has neither cone nor front. So the one keeps its kind, and in picture 2 objects cast nothing.
+           "#macro Casts(Number) (Picture = 0 | Picture = 3 | One = Number) #end\n\n"
            "global_settings { assumed_gamma 1.0 ambient_light rgb 1 max_trace_level 12 }\n";
 }
 
@@ -173,7 +175,7 @@ std::string povMesh(const PlainMesh& mesh) {
     text_ += "  face_indices { " + std::to_string(mesh.triangles.size());
     for (const uvec3& triangle : mesh.triangles)
         text_ += ",\n<" + std::to_string(triangle.x) + ", " + std::to_string(triangle.y) + ", " + std::to_string(triangle.z) + ">";
-    return text_ + " }\n  material { Material_" + std::to_string(mesh.material + 1) + " }" + (mesh.castsShadow ? "" : " no_shadow") + "\n}\n";
+    return text_ + " }\n  material { Material_" + std::to_string(mesh.material + 1) + " }" + (mesh.castsShadow ? " #if (Picture = 2) no_shadow #end" : " no_shadow") + "\n}\n";
 }
 
 void writePov(const ExportJob& job) {
@@ -197,6 +199,9 @@ std::vector<std::string> leftOutOfPov(const PlainScene& scene) {
     LeftOut list(scene);
     list.noReceivesShadow();
     list.noNear();
+    const auto hasSide = [](const scene::Light& light) { return light.type == scene::LightType::spot || light.type == scene::LightType::rect; };
+    if (scene.lights.size() > 1)
+        list.lights(hasSide, "in pictures 1 and 2 of another light it shines to all sides, because a light that casts no shadow has no cone");
     list.soften("the soft edge of the cone falls off along another curve; in picture 3 the cone ends where it ends here");
     list.lights([](const scene::Light& light) { return scene::hasArea(light); },
                 "in picture 0 its shadow has a penumbra, of 9 x 9 points; its strength falls off as that of a point at its centre");
@@ -214,12 +219,12 @@ std::string howToPov(const PlainScene& scene, ivec2 size) {
     const std::string start = "    povray +W" + std::to_string(size.x) + " +H" + std::to_string(size.y) + " -D -A +FN16 File_Gamma=srgb ";
     std::string text_ = "With POV-Ray 3.7 (tried with 3.7.0.10; `apt install povray`), in this folder:\n\n" + start + "+Iscene.pov +Olook.png\n" +
                         start + "+Icalibration.pov +Ocalibration.png\n";
+    const std::vector<std::string> words = lightWords(scene.lights);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const std::string of = " Declare=Light=" + std::to_string(i + 1) + " ";
-        const std::string& name = scene.lights[i].name;
-        text_ += start + "+Iscene.pov Declare=Picture=1" + of + shellWord("+Oshaded-" + name + ".png") + "\n";
-        text_ += start + "+Iscene.pov Declare=Picture=2" + of + shellWord("+Ounshadowed-" + name + ".png") + "\n";
-        text_ += start + "+UA +Iscene.pov Declare=Picture=3" + of + shellWord("+Ovisibility-" + name + ".png") + "\n";
+        text_ += start + "+Iscene.pov Declare=Picture=1" + of + "+Oshaded-" + words[i] + ".png\n";
+        text_ += start + "+Iscene.pov Declare=Picture=2" + of + "+Ounshadowed-" + words[i] + ".png\n";
+        text_ += start + "+UA +Iscene.pov Declare=Picture=3" + of + "+Ovisibility-" + words[i] + ".png\n";
     }
     return text_ + "\nPictures are sRGB with 16 bits a channel. `-A` leaves antialiasing out, so that each pixel is the ray through its centre. In "
                    "pictures 1 to 3 a light with an area is a point at its centre; in picture 3 normals are those of the triangles.\n";
@@ -227,6 +232,6 @@ std::string howToPov(const PlainScene& scene, ivec2 size) {
 
 } // namespace
 
-const Format kPov{"pov", "POV-Ray", "`scene.pov`, `calibration.pov`: scripts, complete but for images in `textures/`", true, writePov, leftOutOfPov, howToPov};
+const Format kPov{"pov", "POV-Ray", "`scene.pov`, `calibration.pov`: scripts", "images of materials lie in `textures/`", true, writePov, leftOutOfPov, howToPov};
 
 } // namespace shadowlab::foreign

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/foreign/export/light_words.h"
 #include "app/foreign/export/numbers.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
@@ -25,12 +26,20 @@ std::string eyeText(const PlainEye& eye, ivec2 size) {
            "Row 0 is at the top. Pixel (x, y) of a picture of W x H pixels has its centre at (x + 0.5, y + 0.5), counted from the upper left corner, and "
            "is what the ray through that centre meets: one sample, no filter. With t = tan(angle / 2) the ray goes along\n\n"
            "    right * t * W/H * (2 (x + 0.5) / W - 1) + up * t * (1 - 2 (y + 0.5) / H) - back\n\n"
-           "The shape of the picture decides about the horizontal angle. The commands below draw " + sizeText(size) +
+           "The shape of the picture decides about the horizontal angle. The commands above draw " + sizeText(size) +
            "; the calibration board belongs to that size.\n\n";
 }
 
-std::string lightText(const scene::Light& light) {
-    std::string row = "| " + light.name + " | " + std::string(scene::toText(light.type)) + " | ";
+/// A name in a table: signs that end a cell or a row are put otherwise.
+std::string cell(const std::string& name) {
+    std::string words;
+    for (const char c : name)
+        words += c == '|' ? "\\|" : std::string(1, static_cast<unsigned char>(c) < ' ' ? ' ' : c);
+    return words;
+}
+
+std::string lightText(const scene::Light& light, const std::string& word) {
+    std::string row = "| " + cell(light.name) + " | " + word + " | " + std::string(scene::toText(light.type)) + " | ";
     const dvec3 strength = dvec3(light.color) * light.intensity;
     row += light.type == scene::LightType::directional ? "from " + text(-light.directionWorld) : text(light.positionWorld);
     if (light.type == scene::LightType::spot)
@@ -53,24 +62,23 @@ std::string unitText(const PlainScene& plain) {
     if (plain.originWorld != dvec3(0))
         text_ += "The scene lies far from the origin, where single precision is coarse. So " + text(plain.originWorld) +
                  " has been subtracted from all positions.\n\n";
-    text_ += "| light | kind | where | red, green, blue |\n|---|---|---|---|\n";
-    for (const scene::Light& light : plain.lights)
-        text_ += lightText(light);
+    text_ += "| light | in names of files | kind | where | red, green, blue |\n|---|---|---|---|---|\n";
+    const std::vector<std::string> words = lightWords(plain.lights);
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text_ += lightText(plain.lights[i], words[i]);
     return text_ + "\n";
 }
 
 std::string judgeText(const Format& format, const PlainScene& plain, const std::string& scene) {
     if (plain.lights.empty()) return "";
-    const std::string& light = plain.lights.front().name;
-    const std::string name = shellWord(light);
+    const std::string option = lightOption(plain.lights.front().name) + (scene::hasArea(plain.lights.front()) ? " --by-centre" : "");
+    const std::string word = lightWords(plain.lights).front();
     std::string text_ = "## How it is judged\n\n"
                         "Visibility is asked for one light at a time. A surface that the light shines on from behind, as the eye sees it, has none: that "
-                        "is decided by the triangle, not by shading normals.\n\n"
-                        "    shadowlab judge " + shellWord("visibility-" + light + ".png") + " " + scene + " --light " + name +
-                        " --calibration calibration.png\n";
+                        "is decided by the triangle, not by shading normals. In this folder:\n\n"
+                        "    shadowlab judge visibility-" + word + ".png " + scene + option + " --calibration calibration.png\n";
     if (format.drawsUnshadowed)
-        text_ += "    shadowlab judge " + shellWord("shaded-" + light + ".png") + " " + scene + " --light " + name + " --reference " +
-                 shellWord("unshadowed-" + light + ".png") + " --calibration calibration.png\n\n"
+        text_ += "    shadowlab judge shaded-" + word + ".png " + scene + option + " --reference unshadowed-" + word + ".png --calibration calibration.png\n\n"
                  "The first takes a picture that is white where the light is seen and black in shadow. The second takes one with the shadows of that light "
                  "alone, and beside it the same without: where it is darker, there is shadow. Neither is antialiased.\n\n";
     else
@@ -88,11 +96,12 @@ std::string readmeText(const Format& format, const PlainScene& plain, const std:
     for (const PlainMesh& mesh : plain.meshes)
         triangles += mesh.triangles.size();
     std::string text_ = "# " + plain.name + ", for " + std::string(format.program) + "\n\nMade by\n\n    " + command + "\n\n" +
-                        std::string(format.files) + ". " + scene::counted(triangles, "triangle") + " in " +
+                        std::string(format.files) + (plain.images.empty() ? "" : "; " + std::string(format.images)) + ". " + scene::counted(triangles, "triangle") + " in " +
                         scene::counted(plain.meshes.size(), "part") +
                         ", each in world coordinates, wound counter-clockwise as seen from its front, and seen from both sides. "
                         "`calibration` is a board of squares and greys for the same camera: by its picture size, orientation, pixel centres and the "
-                        "encoding of light are checked before anything is judged.\n\n";
+                        "encoding of light are checked before anything is judged. It fills the view of every camera in the same way, so it does not show whether the "
+                        "camera is this one.\n\n";
     text_ += "## Making pictures\n\n" + format.howTo(plain, size) + "\n";
     text_ += judgeText(format, plain, scene) + eyeText(plain.eye, size) + unitText(plain);
     text_ += "## What is not said here\n\n";

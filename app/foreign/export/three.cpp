@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/foreign/export/format.h"
 #include "app/foreign/export/left_out.h"
+#include "app/foreign/export/light_words.h"
 #include "app/foreign/export/plain_scene_json.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
@@ -53,6 +54,8 @@ std::vector<std::string> leftOutOfThree(const PlainScene& scene) {
     return list.take();
 }
 
+constexpr const char* kCanvas = "\nThe canvas is not antialiased: one sample at the centre of each pixel. There is no tone mapping, and colours are sRGB with 8 bits.\n";
+
 std::string howToThree(const PlainScene& scene, ivec2 size) {
     const std::string pixels = std::to_string(size.x) + "x" + std::to_string(size.y);
     std::string text =
@@ -62,18 +65,21 @@ std::string howToThree(const PlainScene& scene, ivec2 size) {
         "    python3 -m http.server 8000\n\n"
         "Open `scene.html` and `calibration.html` with these addresses, and save the picture by the link below it:\n\n"
         "    scene.html?size=" + pixels + "\n    calibration.html?size=" + pixels + "\n";
-    for (const scene::Light& light : scene.lights)
+    const std::vector<std::string> words = lightWords(scene.lights);
+    for (const std::string& light : words)
         for (const char* picture : {"shaded", "unshadowed", "visibility"})
-            text += std::string("    scene.html?picture=") + picture + "&light=" + light.name + "&size=" + pixels + "\n";
+            text += std::string("    scene.html?picture=") + picture + "&light=" + light + "&size=" + pixels + "\n";
+    text += "\nIn place of these words the page takes the names of lights as well; other signs than letters and digits are to be percent-encoded in an address.\n";
+    if (words.empty()) return text + kCanvas;
     return text + "\nWithout a window, for example with Chromium, the page that is printed holds the picture as a `data:` URL:\n\n"
                   "    chromium --headless --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=60000 --dump-dom \\\n"
-                  "        \"file://$PWD/scene.html?picture=visibility&size=" + pixels + "\" | grep -o 'href=\"data:[^\"]*' | cut -d , -f 2 | base64 -d > "
-                  "visibility.png\n\n"
-                  "The canvas is not antialiased: one sample at the centre of each pixel. There is no tone mapping, and colours are sRGB with 8 bits.\n";
+                  "        \"file://$PWD/scene.html?picture=visibility&light=" + words.front() + "&size=" + pixels + "\" | grep -o 'href=\"data:[^\"]*' | cut -d , -f 2 | base64 -d > "
+                  "visibility-" + words.front() + ".png\n" +
+           kCanvas;
 }
 
 } // namespace
 
-const Format kThree{"three", "three.js", "`scene.html`, `calibration.html`: pages", true, writeThree, leftOutOfThree, howToThree};
+const Format kThree{"three", "three.js", "`scene.html`, `calibration.html`: pages", "images of materials included", true, writeThree, leftOutOfThree, howToThree};
 
 } // namespace shadowlab::foreign

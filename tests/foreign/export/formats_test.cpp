@@ -11,6 +11,7 @@
 
 #include "app/context/assets.h"
 #include "app/foreign/export/export_scene.h"
+#include "app/foreign/export/light_words.h"
 #include "app/foreign/export/numbers.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "tests/foundation/scene/scene_files.h"
@@ -56,6 +57,8 @@ void forEveryScene(const Format& format, const Check& check) {
         const std::string readme = content(folder.path() / "README.md");
         for (const scene::Light& light : scene->lights)
             EXPECT_TRUE(scene::contains(readme, light.name));
+        EXPECT_EQ(scene::contains(readme, "images of materials"), !plainScene(*scene).images.empty());
+        EXPECT_TRUE(scene::contains(readme, "visibility-" + scene->lights.front().name + ".png " + name)) << "the judge line takes the first light's picture";
         for (const char* part : {"shadowlab export", "--calibration calibration.png", "## What is not said here", "right-handed", "160"})
             EXPECT_TRUE(scene::contains(readme, part)) << part;
         ++scenes;
@@ -140,6 +143,7 @@ void expectSameScene(const Json& json, const PlainScene& plain) {
     ASSERT_EQ(json.at("lights").size(), plain.lights.size());
     for (std::size_t i = 0; i < plain.lights.size(); ++i) {
         EXPECT_EQ(json.at("lights")[i].at("name").get<std::string>(), plain.lights[i].name);
+        EXPECT_EQ(json.at("lights")[i].at("word"), plain.lights[i].name); // built-in names are plain
         EXPECT_EQ(json.at("lights")[i].at("intensity").get<double>(), plain.lights[i].intensity);
     }
 }
@@ -198,7 +202,9 @@ TEST(ExportFormats, ThePovRayFileIsBalancedAndHasAllTriangles) {
         EXPECT_GE(triangles, 14u);
         EXPECT_TRUE(scene::contains(file, "location <" + text(plain.eye.position) + ">"));
         EXPECT_EQ(count(file, "light_source {"), 2 * plain.lights.size()); // as it is, and white
-        EXPECT_EQ(count(file, "no_shadow"), static_cast<std::size_t>(std::ranges::count_if(plain.meshes, [](const PlainMesh& m) { return !m.castsShadow; })));
+        const auto casters = static_cast<std::size_t>(std::ranges::count_if(plain.meshes, [](const PlainMesh& m) { return m.castsShadow; }));
+        EXPECT_EQ(count(file, " no_shadow\n"), plain.meshes.size() - casters);
+        EXPECT_EQ(count(file, "#if (Picture = 2) no_shadow #end\n"), casters) << "of the one light none casts a shadow there, and it keeps its cone";
         ++files;
     });
     EXPECT_GE(files, 13u);
@@ -266,7 +272,7 @@ TEST(ExportFormats, TheReadmeNamesWhatThisSceneLosesAndNothingElse) {
     const std::vector<std::pair<const Format*, std::vector<const char*>>> expected{
         {&kBlender, {"never shadowed", "along another curve", "by its surface", "Beckmann", "GGX", "no priority"}},
         {&kThree, {"shadow maps", "is a point at its centre", "mirrors nothing", "lets nothing through", "Schlick"}},
-        {&kPov, {"never shadowed", "9 x 9", "both sides", "no cosine", "clear", "lets light through"}},
+        {&kPov, {"never shadowed", "shines to all sides", "9 x 9", "both sides", "no cosine", "clear", "lets light through"}},
         {&kMitsuba, {"pixel centres", "ambient light", "background", "exposure", "casts no shadow", "never shadowed", "no highlight", "Fresnel"}},
         {&kGltf, {"ambient light", "background", "exposure", "casts no shadow", "never shadowed", "spot of half a turn", "index of refraction"}}};
     for (const auto& [format, parts] : expected) {
@@ -306,6 +312,47 @@ TEST(ExportFormats, NamesMayHoldAnyCharacters) {
     EXPECT_TRUE(isWellFormed(OddFolder(kMitsuba).text("scene.xml")));
     EXPECT_TRUE(scene::contains(OddFolder(kPov).text("scene.pov"), "// nameless -- '\" </script>\nmesh2"));
     EXPECT_EQ(scene::loadScene((OddFolder(kGltf).folder.path() / "scene.glb").string(), loading())->lights.size(), 2u);
+}
+
+std::vector<std::string> wordsOf(const std::vector<std::string>& names) {
+    std::vector<scene::Light> lights(names.size());
+    for (std::size_t i = 0; i < names.size(); ++i)
+        lights[i].name = names[i];
+    return lightWords(lights);
+}
+
+TEST(ExportFormats, LightsHaveWordsThatAnyCommandLineTakes) {
+    using Words = std::vector<std::string>;
+    EXPECT_EQ(wordsOf({"key", "left_2"}), (Words{"key", "left_2"}));
+    EXPECT_EQ(wordsOf({"a--b-", "a -- b -"}), (Words{"a--b-", "a-b"}));
+    EXPECT_EQ(wordsOf({"Key & Fill #1", "Sun/1", "--help", "100% \u00e9", "../../x", "-o"}), (Words{"Key-Fill-1", "Sun-1", "help", "100", "x", "o"}));
+    EXPECT_EQ(wordsOf({"\u65e5", "\u5149", "light"}), (Words{"light-1", "light-2", "light"})) << "the one with that name keeps it";
+    EXPECT_EQ(wordsOf({"sun", "Sun", "SUN", "Sun-2"}), (Words{"sun", "Sun-3", "SUN-4", "Sun-2"})) << "some file systems know no capitals";
+    EXPECT_EQ(wordsOf({std::string(300, 'a')}), (Words{std::string(64, 'a')}));
+    EXPECT_EQ(wordsOf({std::string(63, 'a') + " b"}), (Words{std::string(63, 'a')}));
+    EXPECT_EQ(lightOption("key"), " --light key");
+    EXPECT_EQ(lightOption("a b"), " --light 'a b'");
+    EXPECT_EQ(lightOption("--help"), " --light=--help");
+}
+
+TEST(ExportFormats, CommandsOfTheReadmeNameFilesAndLightsByWords) {
+    for (const Format* format : formats()) {
+        const std::string readme = OddFolder(*format).text("README.md");
+        EXPECT_TRUE(scene::contains(readme, "judge visibility-a-lamp-script.png odd.json --light 'a \"lamp\" --> </script>' --by-centre ")) << readme;
+        std::istringstream lines(readme);
+        std::size_t named = 0;
+        for (std::string line; std::getline(lines, line);) {
+            if (!line.starts_with("    ")) continue;
+            const bool takesNames = scene::contains(line, "shadowlab "); // the program's own commands know names alone
+            EXPECT_TRUE(takesNames || !scene::contains(line, "lamp\"")) << line;
+            EXPECT_FALSE(scene::contains(line, "visibility.png")) << line;
+            named += scene::contains(line, "a-lamp-script");
+        }
+        EXPECT_GE(named, format == &kGltf ? 2u : 2u + (format == &kMitsuba ? 0 : 2)) << format->name;
+        EXPECT_FALSE(scene::contains(readme, "commands below"));
+        EXPECT_FALSE(scene::contains(readme, "textures/")) << "it has no images";
+        EXPECT_TRUE(scene::contains(readme, "does not show whether the camera is this one"));
+    }
 }
 
 TEST(ExportFormats, NumbersReadBackAsTheyWere) {
