@@ -4,7 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/picture/verdict_reasons.h"
+
 namespace shadowlab::foreign {
+
+std::string metresText(double metres) {
+    return metres < 0.1 ? picture::fixed(100 * metres, metres < 0.01 ? 2 : 1) + " cm" : picture::fixed(metres, 2) + " m";
+}
 
 void addIfExplains(const Evidence& evidence, Cause cause, std::vector<Cause>& causes) {
     if (explained(evidence, cause.predictions) >= kLeastExplained) causes.push_back(std::move(cause));

@@ -11,16 +11,25 @@ namespace shadowlab::foreign {
 /// Below this share of the wrong pixels a cause is not worth naming.
 constexpr double kLeastExplained = 0.1;
 
-/// Of the whole picture: flipped, shifted by parts of a pixel, another angle of view, inverted, of another light, without shadows.
+/// Of all of it: without shadows, all dark, inverted.
+void addWholeCauses(const Evidence& evidence, std::vector<Cause>& causes);
+/// Of the whole picture: flipped, shifted by parts of a pixel, another angle of view, of another light.
 void addPictureCauses(const Evidence& evidence, std::vector<Cause>& causes);
-/// Of the light and of distances along its rays: a light in the wrong place, depth bias, the limits of a shadow map.
+/// A light in the wrong place.
+void addMovedLightCauses(const Evidence& evidence, std::vector<Cause>& causes);
+/// Of distances along the light's rays: depth bias, the limits of a shadow map, and of a spot its cone.
 void addLightCauses(const Evidence& evidence, std::vector<Cause>& causes);
+/// Of a shadow map that covers a part only.
+void addMapCauses(const Evidence& evidence, std::vector<Cause>& causes);
 /// Of sides: triangles that cast no shadow, or are not seen, because of the side that they turn; winding; missing casters.
 void addWindingCauses(const Evidence& evidence, std::vector<Cause>& causes);
 /// Of counting: caps or faces of shadow volumes that are missing, and an eye in shadow.
 void addVolumeCauses(const Evidence& evidence, std::vector<Cause>& causes);
 /// Of patterns: acne, holes, texels, soft edges.
 void addPatternCauses(const Evidence& evidence, std::vector<Cause>& causes);
+
+/// "0.36 m", "1.2 cm".
+std::string metresText(double metres);
 
 /// Adds the cause if it explains enough.
 void addIfExplains(const Evidence& evidence, Cause cause, std::vector<Cause>& causes);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "app/foreign/causes.h"
 
@@ -30,12 +31,35 @@ double scoreOf(const Ranked& ranked) {
     return 0.5 * (ranked.named.explained + other) * cause.likelihood * (cause.hasRule ? 1.0 : kOfPatterns);
 }
 
+NamedCause namedCause(const Evidence& evidence, const Cause& cause, const std::vector<std::uint8_t>& region) {
+    NamedCause named{cause.id, cause.what, cause.remedy, explained(evidence, cause.predictions), explained(evidence, cause.predictions, region)};
+    // So few may lie so by chance, and numbers that are read off them are rough.
+    constexpr double kFew = 10;
+    const double pixels = named.explained * evidence.wrong;
+    if (pixels < kFew) {
+        const long count = std::lround(pixels);
+        named.what += "; this rests on " + (count == 1 ? "1 pixel" : std::to_string(count) + " pixels") + " only, and is not sure";
+    }
+    return named;
+}
+
+/// Is all of it that faces the light lit, or all of it dark?
+bool isOfOneKind(const Evidence& evidence) {
+    bool anyLit = false, anyDark = false;
+    for (std::size_t i = 0; i < evidence.truth.visibility.size(); ++i) {
+        const trace::Visibility truth = evidence.truth.visibility[i];
+        if (!evidence.isJudged(i) || (truth != trace::Visibility::lit && truth != trace::Visibility::shadowed)) continue;
+        (evidence.isLit(i) ? anyLit : anyDark) = true;
+    }
+    return !(anyLit && anyDark);
+}
+
 std::vector<Ranked> rankedCauses(const Evidence& evidence, const std::vector<Cause>& causes, const std::vector<std::uint8_t>& region) {
     std::vector<Ranked> ranked;
     for (const Cause& cause : causes) {
-        Ranked one{&cause, {cause.id, cause.what, cause.remedy, explained(evidence, cause.predictions), explained(evidence, cause.predictions, region)}};
+        Ranked one{&cause, namedCause(evidence, cause, region)};
         one.score = scoreOf(one);
-        if (one.score >= kLeastScore) ranked.push_back(std::move(one));
+        if (one.score >= kLeastScore && one.named.explained >= kLeastScore) ranked.push_back(std::move(one));
     }
     std::ranges::stable_sort(ranked, std::greater{}, &Ranked::score);
     return ranked;
@@ -62,8 +86,26 @@ Diagnosis diagnose(Evidence& evidence) {
     if (evidence.wrong <= 0) return diagnosis;
     diagnosis.region = worstRegion(evidence);
     std::vector<Cause> causes;
+    addWholeCauses(evidence, causes);
+    // A picture that is all of one kind shows nothing else, whatever would make it so.
+    if (!causes.empty() && isOfOneKind(evidence)) {
+        diagnosis.causes.push_back(namedCause(evidence, causes.front(), {}));
+        // Volumes without their front cap put every surface that faces the light into shadow: of all that makes a picture dark, the one with a rule.
+        std::vector<Cause> volumes;
+        addVolumeCauses(evidence, volumes);
+        constexpr double kAll = 0.999;
+        for (const Cause& cause : volumes)
+            if (causes.front().id == "all-dark" && cause.id == "missing-front-cap" && explained(evidence, cause.predictions) >= kAll) {
+                diagnosis.causes.push_back(namedCause(evidence, cause, {}));
+                diagnosis.causes.back().beside = Beside::instead;
+                break;
+            }
+        return diagnosis;
+    }
     addPictureCauses(evidence, causes);
+    addMovedLightCauses(evidence, causes);
     addLightCauses(evidence, causes);
+    addMapCauses(evidence, causes);
     addWindingCauses(evidence, causes);
     addVolumeCauses(evidence, causes);
     addPatternCauses(evidence, causes);
@@ -83,7 +125,7 @@ Diagnosis diagnose(Evidence& evidence) {
 }
 
 std::string_view techniqueShowing(std::string_view causeId) {
-    constexpr std::array kOfMaps{"acne", "peter-panning", "leak-at-contact", "resolution", "soft-edges", "near-plane-of-light", "range-of-light", "range-of-view"};
+    constexpr std::array kOfMaps{"acne", "peter-panning", "leak-at-contact", "resolution", "soft-edges", "near-plane-of-light", "range-of-light", "range-of-view", "outside-map"};
     return std::ranges::find(kOfMaps, causeId) != kOfMaps.end() ? "shadow-map" : "shadow-volume-zfail";
 }
 

@@ -8,12 +8,19 @@
 
 namespace shadowlab::foreign {
 
+dvec3 flatNormalWorld(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
+    const trace::Triangle& triangle = tracer.world().triangles[point.primitive];
+    const dvec3 normal = glm::normalize(glm::cross(triangle.b - triangle.a, triangle.c - triangle.a));
+    return point.eyeOnFront ? normal : -normal;
+}
+
 ExpectedLight expectedLight(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light) {
     const trace::EyeRays rays = tracer.eyeRays(camera, size);
     const trace::ShadingNormals normals(tracer);
     const scene::Scene& scene = tracer.scene();
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-    ExpectedLight expected{std::vector<vec3>(pixels, vec3(0.0f)), std::vector<vec3>(pixels, vec3(0.0f))};
+    const std::vector<vec3> none(pixels, vec3(0.0f));
+    ExpectedLight expected{none, none, none};
     trace::parallelFor(static_cast<std::size_t>(size.y), [&](std::size_t row) {
         for (int x = 0; x < size.x; ++x) {
             const trace::SurfacePoint point = tracer.eyePoint(rays, dvec2(x, row) + 0.5);
@@ -31,12 +38,16 @@ ExpectedLight expectedLight(const trace::SceneTracer& tracer, const scene::Camer
             for (int l = 0; l < static_cast<int>(scene.lights.size()); ++l) {
                 if (!tracer.facesLight(point, l)) continue;
                 const scene::Light& source = scene.light(l);
-                const dvec3 added = scene::irradiance(source, positionWorld, normalWorld) *
-                                    scene::reflectance(material, diffuse, normalWorld, scene::towardLightWorld(source, positionWorld), toEyeWorld);
-                if (l == light)
-                    expected.ofLight[pixel] = vec3(added);
-                else
-                    remaining += added;
+                const auto added = [&](const dvec3& normal) {
+                    return scene::irradiance(source, positionWorld, normal) *
+                           scene::reflectance(material, diffuse, normal, scene::towardLightWorld(source, positionWorld), toEyeWorld);
+                };
+                if (l == light) {
+                    expected.ofLight[pixel] = vec3(added(normalWorld));
+                    expected.ofLightFlat[pixel] = vec3(added(flatNormalWorld(tracer, point)));
+                } else {
+                    remaining += added(normalWorld);
+                }
             }
             expected.remaining[pixel] = vec3(remaining);
         }

@@ -13,8 +13,12 @@ namespace shadowlab::foreign {
 /// Linear radiances, one for each pixel, rows from the top; zero where no surface is seen.
 struct ExpectedLight {
     std::vector<vec3> ofLight;   ///< that the judged light adds where it is seen
+    std::vector<vec3> ofLightFlat; ///< the same with the triangle's own normal, as a program without smooth normals shades it
     std::vector<vec3> remaining; ///< emission, ambient light, and all other lights without shadows
 };
+
+/// The unit normal of the point's triangle, on the side that the eye sees.
+dvec3 flatNormalWorld(const trace::SceneTracer& tracer, const trace::SurfacePoint& point);
 
 ExpectedLight expectedLight(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light);
 

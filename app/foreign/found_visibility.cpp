@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "app/foreign/foreign_picture.h"
 
@@ -23,6 +24,7 @@ struct PairedPixel {
 };
 
 PairedPixel paired(image::Color8 shaded, image::Color8 reference, const vec3& ofLight, const vec3& remaining, ToneCurve curve) {
+    // Of a reference that is white, brighter light would look the same: then the darker picture says nothing of how much is missing.
     const std::array p{shaded.r, shaded.g, shaded.b}, r{reference.r, reference.g, reference.b};
     PairedPixel best;
     best.isClipped = r[0] == 255 && r[1] == 255 && r[2] == 255;
@@ -32,7 +34,7 @@ PairedPixel paired(image::Color8 shaded, image::Color8 reference, const vec3& of
         if (whole <= 0) continue;
         const double share = static_cast<double>(ofLight[channel]) / whole, full = linearFrom(curve, r[c] / 255.0);
         const double levels = r[c] - 255 * encodedWith(curve, full * (1 - share));
-        if (levels <= best.levels || (r[c] == 255 && !best.isClipped)) continue;
+        if (levels <= best.levels || r[c] == 255) continue;
         const double seen = linearFrom(curve, p[c] / 255.0);
         best.levels = levels;
         best.expected = share;
@@ -71,12 +73,18 @@ double exposureOf(const image::Image& reference, const judge::Truth& truth, cons
     for (std::size_t i = 0; i < truth.visibility.size(); ++i) {
         const double whole = static_cast<double>(expected.ofLight[i].g + expected.remaining[i].g);
         const std::uint8_t seen = reference.rgba[image::kChannels * i + 1];
-        if (facesTheLight(truth.visibility[i]) && whole > 0 && seen > kLeastLevels) ratios.push_back(linearFrom(curve, seen / 255.0) / whole);
+        if (facesTheLight(truth.visibility[i]) && whole > 0 && seen > kLeastLevels && seen < 255) ratios.push_back(linearFrom(curve, seen / 255.0) / whole);
     }
     if (ratios.empty()) return 1;
     const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
     std::ranges::nth_element(ratios, middle);
     return *middle;
+}
+
+/// Of the light, 0 to 1. `strength`: see strengthOf().
+double seenShare(const PairedPixel& pixel, double strength) {
+    const double added = std::min(strength * pixel.expected, 1.0);
+    return added > 0 ? std::clamp(1 - pixel.darker / added, 0.0, 1.0) : 1.0;
 }
 
 /// Is the reference as dark as if the light did not reach it? `exposure`: see exposureOf().
@@ -85,6 +93,19 @@ bool lacksLight(double referenceGreen, const vec3& ofLight, const vec3& remainin
     constexpr double kLeastShare = 0.5, kGone = 0.75;
     const double whole = static_cast<double>(ofLight.g + remaining.g), share = whole > 0 ? static_cast<double>(ofLight.g) / whole : 0;
     return share >= kLeastShare && referenceGreen < exposure * whole * (1 - kGone * share);
+}
+
+/// The objects of which the reference lacks the light nearly everywhere: they are not drawn, or not lit. In other places shading differs.
+std::map<std::uint32_t, bool> objectsThatLackLight(const std::vector<std::uint8_t>& lacks, const judge::Truth& truth) {
+    constexpr double kNearlyAll = 0.9;
+    constexpr int kFewest = 16;
+    std::map<std::uint32_t, std::pair<int, int>> counts; // that lack it, and all
+    for (std::size_t i = 0; i < lacks.size(); ++i)
+        if (facesTheLight(truth.visibility[i])) counts[truth.objects[i]].first += lacks[i], ++counts[truth.objects[i]].second;
+    std::map<std::uint32_t, bool> lacking;
+    for (const auto& [object, count] : counts)
+        lacking[object] = count.first >= kFewest && count.first > kNearlyAll * count.second;
+    return lacking;
 }
 
 } // namespace
@@ -105,10 +126,11 @@ FoundVisibility fromVisibilityImage(const image::Image& picture, const judge::Tr
 FoundVisibility fromPair(const image::Image& shaded, const image::Image& reference, const judge::Truth& truth,
                          const ExpectedLight& expected, ToneCurve curve) {
     FoundVisibility found{emptyImage(truth.size), std::vector<std::uint8_t>(truth.visibility.size(), 0)};
-    std::vector<PairedPixel> pixels(truth.visibility.size());
+    std::vector<PairedPixel> pixels(truth.visibility.size()), flat(pixels.size());
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const int x = static_cast<int>(i % static_cast<std::size_t>(truth.size.x)), y = static_cast<int>(i / static_cast<std::size_t>(truth.size.x));
         pixels[i] = paired(shaded.at(x, y), reference.at(x, y), expected.ofLight[i], expected.remaining[i], curve);
+        flat[i] = paired(shaded.at(x, y), reference.at(x, y), expected.ofLightFlat[i], expected.remaining[i], curve);
     }
     found.isSame.assign(pixels.size(), 0);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -120,6 +142,12 @@ FoundVisibility fromPair(const image::Image& shaded, const image::Image& referen
     }
     found.strength = strengthOf(pixels, truth);
     const double exposure = exposureOf(reference, truth, expected, curve);
+    std::vector<std::uint8_t> lacks(pixels.size(), 0);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const vec3 least = glm::min(expected.ofLight[i], expected.ofLightFlat[i]);
+        lacks[i] = found.isSame[i] && lacksLight(linearFrom(curve, reference.rgba[image::kChannels * i + 1] / 255.0), least, expected.remaining[i], exposure) ? 1 : 0;
+    }
+    const std::map<std::uint32_t, bool> lackingObjects = objectsThatLackLight(lacks, truth);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const bool surface = truth.visibility[i] != Visibility::noSurface;
         found.image.greyAlpha[2 * i + 1] = surface ? 255 : 0;
@@ -128,17 +156,22 @@ FoundVisibility fromPair(const image::Image& shaded, const image::Image& referen
             continue;
         }
         if (pixels[i].isClipped) ++found.clipped;
-        if (found.isSame[i] && lacksLight(linearFrom(curve, reference.rgba[image::kChannels * i + 1] / 255.0), expected.ofLight[i], expected.remaining[i], exposure)) {
+        if (lacks[i] && lackingObjects.at(truth.objects[i])) {
             found.isJudged[i] = 1; // grey stays 0
             continue;
         }
-        if (pixels[i].levels < kLeastLevels) {
+        const double visible = seenShare(pixels[i], found.strength), visibleFlat = seenShare(flat[i], found.strength);
+        // Smooth or flat: the pictures do not say which normals their program has, so both must lead to the same.
+        // Nor is the light's share of a pixel known exactly, which depends on how bright the rest is in that program: less so of faint light.
+        constexpr double kFaintLevels = 4 * kLeastLevels, kClearly = 0.1, kClearlyFaint = 0.25;
+        const double clearly = std::min(pixels[i].levels, flat[i].levels) < kFaintLevels ? kClearlyFaint : kClearly;
+        const bool isUndecided = (visible > 0.5) != (visibleFlat > 0.5) || std::abs(visible - 0.5) < clearly || std::abs(visibleFlat - 0.5) < clearly;
+        // Where the same is seen and hardly any light was there to be lost, the pictures do not say whether it is seen.
+        if (lacks[i] || isUndecided || std::min(pixels[i].levels, flat[i].levels) < kLeastLevels) {
             ++found.notJudged;
             continue;
         }
         found.isJudged[i] = 1;
-        const double added = std::min(found.strength * pixels[i].expected, 1.0);
-        const double visible = std::clamp(1 - pixels[i].darker / added, 0.0, 1.0);
         found.image.greyAlpha[2 * i] = static_cast<std::uint8_t>(std::lround(255 * visible));
     }
     return found;

@@ -31,7 +31,8 @@ FoundVisibility fromVisibilityImage(const image::Image& picture, const judge::Tr
 /// What the light adds must be this many levels of 255 of the reference. Below, rounding of both pictures could decide.
 constexpr double kLeastLevels = 4;
 
-/// Where the reference itself lacks the light, though the scene's shading is mostly of it, the pixel does not see the light.
+/// A pixel is not judged where the reference is white in all channels, where it lacks the light that the scene's shading is mostly of (of an object that lacks it as a whole, the light is not seen), or where
+/// smooth and flat normals lead to different answers. Where both pictures show the same, a pixel is never in shadow.
 FoundVisibility fromPair(const image::Image& shaded, const image::Image& reference, const judge::Truth& truth,
                          const ExpectedLight& expected, ToneCurve curve = ToneCurve::srgb);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
+#include <string>
 
 #include "app/foreign/diagnosis.h"
 #include "app/foreign/seen_encoding.h"
@@ -17,9 +18,11 @@ struct JudgedPicture {
     int core = 0;
     std::optional<judge::Displacement> boundaryPx;
     std::optional<SeenEncoding> encoding; ///< another than it should be
+    std::optional<int> white;  ///< of a visibility image whose white is not 255: that grey; it is judged as if it were 255
+    std::string remark;        ///< what the pictures are wrong in as a whole, as a sentence without its end; empty: nothing
     Diagnosis diagnosis;
     [[nodiscard]] bool isRight() const {
-        return errors.judgement.counts.wrong() == 0 && errors.judgement.counts.stray == 0 && !encoding;
+        return errors.judgement.counts.wrong() == 0 && errors.judgement.counts.stray == 0 && !encoding && !white;
     }
 };
 

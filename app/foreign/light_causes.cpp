@@ -1,7 +1,5 @@
-// Mistakes of the light's place, and of distances along its rays.
+// Mistakes of distances along the light's rays.
 //
-// A light in the wrong place moves each boundary by its own amount: the further the receiver is behind its caster, the more. So rays
-// to a light that is moved predict every pixel, and the place that agrees best is found by search.
 // A depth bias d lets a point be lit whose casters all lie within d of it; a near plane those that lie within d of the light; a range
 // what lies beyond it.
 // SPDX-License-Identifier: MIT
@@ -12,7 +10,6 @@
 #include "app/foreign/causes.h"
 #include "app/foreign/rays_of_causes.h"
 #include "app/picture/verdict_reasons.h"
-#include "techniques/foundation/math/perpendicular.h"
 
 namespace shadowlab::foreign {
 
@@ -21,61 +18,6 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 std::string shareText(double share) { return picture::fixed(100 * share, 0) + " %"; }
-
-std::string metresText(double metres) {
-    return metres < 0.1 ? picture::fixed(100 * metres, metres < 0.01 ? 2 : 1) + " cm" : picture::fixed(metres, 2) + " m";
-}
-
-Predictions withLight(const Evidence& evidence, const scene::Light& moved, std::span<const std::uint8_t> casts) {
-    return predictAll(evidence, [&](const Sample& sample) {
-        if (!sample.point || !evidence.tracer.facesLight(sample.point, evidence.light)) return Prediction::none;
-        if (!evidence.tracer.objectOf(sample.point).receivesShadow) return Prediction::lit;
-        return predicted(!isBlockedBy(evidence.tracer, rayToLight(evidence.tracer, sample.point, moved), sample.point.primitive, casts));
-    });
-}
-
-void addMovedLight(const Evidence& evidence, std::vector<Cause>& causes) {
-    const scene::Light& source = evidence.source();
-    const bool directional = source.type == scene::LightType::directional;
-    const std::vector<std::uint8_t> casts = castingTriangles(evidence);
-    const double distance = glm::length(source.positionWorld - evidence.camera.targetWorld);
-    const dvec3 aside = perpendicularTo(source.directionWorld), across = glm::cross(source.directionWorld, aside);
-    // Metres, or of a direction radians about two axes.
-    const auto movedBy = [&](const std::vector<double>& by) {
-        scene::Light moved = source;
-        if (directional)
-            moved.directionWorld = glm::normalize(source.directionWorld + by[0] * aside + by[1] * across);
-        else
-            moved.positionWorld += dvec3(by[0], by[1], by[2]);
-        return moved;
-    };
-    const Evidence some = thinned(evidence);
-    const auto costOf = [&](const std::vector<double>& by) { return -explained(some, withLight(some, movedBy(by), casts)); };
-    // From a sixteenth of the distance, by which shadows move visibly, to what moves them by less than a hundredth of a pixel.
-    const double unit = directional ? 1.0 : std::max(distance, 1e-6);
-    const std::vector<double> by = patternSearch(std::vector<double>(directional ? 2 : 3, 0.0), unit / 16, unit / 8192, costOf);
-    Cause cause{"light-displaced", "", "", withLight(evidence, movedBy(by), casts)};
-    const double found = explained(evidence, cause.predictions);
-    // A light far away from its place explains much by chance, and one behind a wall makes all dark.
-    constexpr double kPlausible = 0.1; // of the distance
-    cause.likelihood = std::hypot(by[0], by[1], by.back()) < kPlausible * unit ? 0.98 : 0.75;
-    if (std::ranges::none_of(cause.predictions, [](Prediction one) { return one == Prediction::lit; })) return;
-    if (directional) {
-        const double degrees = glm::degrees(std::hypot(by[0], by[1]));
-        const dvec3 way = movedBy(by).directionWorld;
-        cause.what = "the light comes from the wrong direction: turned by " + picture::fixed(degrees, 2) + " degrees, to (" + picture::fixed(way.x, 3) + ", " +
-                     picture::fixed(way.y, 3) + ", " + picture::fixed(way.z, 3) + "), it explains " + shareText(found) +
-                     " of the wrong pixels, boundaries far from their casters moved most";
-        cause.remedy = "check the light's direction and its normalisation";
-    } else {
-        const dvec3 offset(by[0], by[1], by[2]);
-        cause.what = "the light stands in the wrong place: " + metresText(glm::length(offset)) + " away, moved by (" + picture::fixed(offset.x, 3) + ", " +
-                     picture::fixed(offset.y, 3) + ", " + picture::fixed(offset.z, 3) + ") m, it explains " + shareText(found) +
-                     " of the wrong pixels, boundaries far from their casters moved most";
-        cause.remedy = "check the light's position, its units, and in which space it is given";
-    }
-    addIfExplains(evidence, std::move(cause), causes);
-}
 
 /// What stands in the light's way, in metres from the point and from the light.
 struct Obstacles {
@@ -176,14 +118,47 @@ void addSelfShadows(const Evidence& evidence, const std::vector<Obstacles>& obst
     addIfExplains(evidence, std::move(cause), causes);
 }
 
+/// A spot whose cone is another than the scene's, or none: found as the angle that explains most.
+void addCone(const Evidence& evidence, std::vector<Cause>& causes) {
+    const scene::Light& source = evidence.source();
+    if (source.type != scene::LightType::spot) return;
+    scene::Light everywhere = source; // the same place, without a cone
+    everywhere.type = scene::LightType::point;
+    const std::vector<std::uint8_t> casts = castingTriangles(evidence);
+    const trace::SceneTracer& tracer = evidence.tracer;
+    const Predictions withoutCone = predictAll(evidence, [&](const Sample& sample) {
+        if (!sample.point) return Prediction::none;
+        const trace::Ray ray = rayToLight(tracer, sample.point, everywhere);
+        if (glm::dot(flatNormalWorld(tracer, sample.point), ray.directionCentred) <= 0) return Prediction::dark;
+        return predicted(!tracer.objectOf(sample.point).receivesShadow || !isBlockedBy(tracer, ray, sample.point.primitive, casts));
+    });
+    std::vector<double> degrees; // from the cone's axis
+    for (const Sample& sample : evidence.samples) {
+        const dvec3 fromLight = sample.point ? tracer.positionWorld(sample.point) - source.positionWorld : source.directionWorld;
+        degrees.push_back(glm::degrees(std::acos(std::clamp(glm::dot(glm::normalize(fromLight), source.directionWorld), -1.0, 1.0))));
+    }
+    double best = 180, most = -kNever;
+    Cause cause{"cone", "", "coneDegrees is the whole angle between opposite sides of the cone: the cosine to compare with is that of its half", {}};
+    constexpr double kStepDegrees = 0.5;
+    for (double half = 180; half > 0; half -= half > 90 ? 90 : kStepDegrees) {
+        Predictions tried = withoutCone;
+        for (std::size_t i = 0; i < tried.size(); ++i)
+            if (degrees[i] > half && tried[i] == Prediction::lit) tried[i] = Prediction::dark;
+        if (const double found = explained(evidence, tried); found > most) most = found, best = half, cause.predictions = std::move(tried);
+    }
+    cause.what = (best > 90 ? std::string("the spot shines in all directions, without its cone") : "the spot's cone is another: " + picture::fixed(2 * best, 0) + " degrees wide instead of " + picture::fixed(source.coneDegrees, 0)) +
+                 ": this explains " + shareText(most) + " of the wrong pixels";
+    addIfExplains(evidence, std::move(cause), causes);
+}
+
 } // namespace
 
 void addLightCauses(const Evidence& evidence, std::vector<Cause>& causes) {
-    addMovedLight(evidence, causes);
     const std::vector<Obstacles> obstacles = obstaclesOf(evidence);
     addBias(evidence, obstacles, causes);
     addRange(evidence, obstacles, causes);
     addSelfShadows(evidence, obstacles, causes);
+    addCone(evidence, causes);
 }
 
 } // namespace shadowlab::foreign

@@ -154,39 +154,6 @@ void addOtherLights(const Evidence& evidence, std::vector<Cause>& causes) {
     }
 }
 
-void addWholes(const Evidence& evidence, std::vector<Cause>& causes) {
-    const auto facing = [&](const Sample& sample) {
-        const Visibility truth = evidence.truth.visibility[sample.index];
-        return truth == Visibility::lit || truth == Visibility::shadowed;
-    };
-    double lit = 0, dark = 0;
-    for (const Sample& sample : evidence.samples)
-        if (facing(sample)) (sample.isLit ? lit : dark) += sample.weight;
-    Cause inverted{"inverted", "", "write 255 where the light is seen and 0 where it is not", {}};
-    inverted.predictions = predictAll(evidence, [&](const Sample& sample) { return facing(sample) ? predicted(!sample.shouldBeLit) : Prediction::none; });
-    inverted.what = "light and shadow are exchanged: " + percentText(explained(evidence, inverted.predictions)) + " of the wrong pixels are the opposite of the truth everywhere";
-    // A picture that is all of one kind is not inverted.
-    if (lit > 0 && dark > 0) addOfPicture(evidence, std::move(inverted), causes);
-
-    constexpr double kSeenPlainly = 1.05; // whatever else predicts it
-    constexpr double kOfDescriptions = 0.9; // what predicts the same and says why goes before
-    constexpr double kNearlyNone = 0.002; // of all pixels that face the light
-    if (dark < kNearlyNone * (lit + dark)) {
-        Cause none{"no-shadows", "no shadow is drawn at all: " + percentText(lit / (lit + dark)) + " of what faces the light is lit",
-                   "see that casters are drawn into the map or the volumes, that counts are not all negative (wrong winding, or a test that never fails)", {}};
-        none.likelihood = kSeenPlainly;
-        none.predictions = predictAll(evidence, [&](const Sample& sample) { return predicted(facing(sample)); });
-        addOfPicture(evidence, std::move(none), causes);
-    }
-    if (lit < kNearlyNone * (lit + dark)) {
-        Cause all{"all-dark", "everything is in shadow: nothing that faces the light is lit",
-                  "see whether every surface shadows itself (no bias, or the wrong sign of the comparison), and on which side the light is", {}};
-        all.likelihood = kOfDescriptions;
-        all.predictions = predictAll(evidence, [&](const Sample&) { return Prediction::dark; });
-        addOfPicture(evidence, std::move(all), causes);
-    }
-}
-
 } // namespace
 
 void addPictureCauses(const Evidence& evidence, std::vector<Cause>& causes) {
@@ -194,7 +161,6 @@ void addPictureCauses(const Evidence& evidence, std::vector<Cause>& causes) {
     addShift(evidence, causes);
     addScale(evidence, causes);
     addOtherLights(evidence, causes);
-    addWholes(evidence, causes);
 }
 
 } // namespace shadowlab::foreign

@@ -50,6 +50,12 @@ public:
             if (evidence_.tracer.world().objects[i] == object) flags[i] = 0;
         return flags;
     }
+    [[nodiscard]] std::vector<std::uint8_t> castersOf(std::uint32_t object) const {
+        std::vector<std::uint8_t> flags = casts_;
+        for (std::size_t i = 0; i < flags.size(); ++i)
+            if (evidence_.tracer.world().objects[i] != object) flags[i] = 0;
+        return flags;
+    }
     /// Triangles that turn that side to the eye.
     [[nodiscard]] std::vector<std::uint8_t> seenWithSide(int side) const {
         scene::Light eye;
@@ -92,15 +98,30 @@ public:
             if (casters) primitive = evidence_.tracer.blocker(sample.point, evidence_.light);
             if (primitive != trace::kNoPrimitive) weights[evidence_.tracer.world().objects[primitive]] += sample.weight;
         }
-        std::vector<std::uint32_t> objects;
-        for (const auto& [object, weight] : weights)
-            objects.push_back(object);
-        std::ranges::stable_sort(objects, std::greater{}, [&](std::uint32_t object) { return weights[object]; });
-        if (objects.size() > kMost) objects.resize(kMost);
-        return objects;
+        return heaviest(weights, kMost);
+    }
+
+    /// The objects in front of samples that are rightly dark.
+    [[nodiscard]] std::vector<std::uint32_t> castersSeen() const {
+        constexpr std::size_t kMost = 4;
+        std::map<std::uint32_t, double> weights;
+        for (const Sample& sample : evidence_.samples) {
+            if (sample.isWrong() || sample.isLit || evidence_.truth.visibility[sample.index] != trace::Visibility::shadowed) continue;
+            const std::uint32_t primitive = evidence_.tracer.blocker(sample.point, evidence_.light);
+            if (primitive != trace::kNoPrimitive) weights[evidence_.tracer.world().objects[primitive]] += sample.weight;
+        }
+        return heaviest(weights, kMost);
     }
 
 private:
+    [[nodiscard]] static std::vector<std::uint32_t> heaviest(const std::map<std::uint32_t, double>& weights, std::size_t most) {
+        std::vector<std::uint32_t> objects;
+        for (const auto& [object, weight] : weights)
+            objects.push_back(object);
+        std::ranges::stable_sort(objects, std::greater{}, [&](std::uint32_t object) { return weights.at(object); });
+        if (objects.size() > most) objects.resize(most);
+        return objects;
+    }
     [[nodiscard]] bool faces(const Rules& rules, const trace::SurfacePoint& point) const {
         const scene::Light& light = evidence_.source();
         if (!scene::shinesEverywhere(light) && !scene::lightShinesTo(light, evidence_.tracer.positionWorld(point))) return false;
@@ -164,6 +185,9 @@ void addForObjects(const Evidence& evidence, const Sides& sides, std::vector<Cau
     const scene::Scene& scene = evidence.tracer.scene();
     for (const std::uint32_t object : sides.suspects(true))
         tryOut(evidence, sides, {"caster-missing", "a caster is missing, ", "draw this object into the shadow map or count its volume; where windings decide, its own may be reversed", {sides.castersWithout(object), {}}, 0.95}, // a rule of sides that explains as much needs no single object
+               "'" + scene.objects[object].name + "'", causes);
+    for (const std::uint32_t object : sides.castersSeen())
+        tryOut(evidence, sides, {"caster-missing", "only one object casts a shadow, ", "draw all objects into the shadow map, or count the volumes of all", {sides.castersOf(object), {}}},
                "'" + scene.objects[object].name + "'", causes);
     for (const std::uint32_t object : sides.suspects(false))
         tryOut(evidence, sides, {"wrong-winding", "one object has its winding reversed, ", "order its corners counter-clockwise as seen from outside",

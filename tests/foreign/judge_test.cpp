@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/foreign/judged_picture.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "tests/foreign/foreign_renderer.h"
 #include "tests/foundation/scene/scene_files.h"
@@ -86,8 +87,17 @@ std::vector<Mistake> mistakes() {
             {"128 texels", "resolution", coarse}, {"back faces missing", "back-faces-missing", backs}, {"wrong winding", "wrong-winding", winding}};
 }
 
+/// A picture without front caps may be black all over, which has other causes as well: then it is the second to be named.
+bool isBlack(const JudgedPicture& judged) { return judged.errors.judgement.counts.falseLit == 0 && judged.errors.judgement.counts.falseShadow == judged.errors.judgement.counts.lit; }
+
 void expectNamed(const JudgedPicture& judged, const char* cause, const std::string& where) {
     ASSERT_FALSE(judged.diagnosis.causes.empty()) << where << "\n" << said(judged);
+    if (std::string_view(cause) == "missing-front-cap" && judged.diagnosis.causes.front().id == "all-dark") {
+        EXPECT_TRUE(isBlack(judged)) << where;
+        ASSERT_EQ(judged.diagnosis.causes.size(), 2u) << where;
+        EXPECT_EQ(judged.diagnosis.causes[1].id, cause) << where;
+        return;
+    }
     EXPECT_EQ(judged.diagnosis.causes.front().id, cause) << where << "\n" << said(judged);
     EXPECT_TRUE(judged.diagnosis.region);
     EXPECT_FALSE(judged.isRight());
@@ -181,6 +191,88 @@ TEST(ForeignJudgeTest, AGammaOf22SpoilsNoShadow) {
         if (judged.encoding) EXPECT_EQ(judged.encoding->curve, ToneCurve::power22) << stage.own.name;
         EXPECT_GT(judged.errors.judgement.counts.shadowed, 1000);
     }
+}
+
+image::Image constantImage(const Staged& stage, std::uint8_t grey, std::uint8_t alpha) {
+    image::Image image = imageOf(foreign_renderer::render(stage.own, {}).visibility);
+    for (std::size_t i = 0; i < image.rgba.size(); ++i)
+        image.rgba[i] = i % 4 == 3 ? alpha : grey;
+    return image;
+}
+
+JudgedPicture judgedImage(const Staged& stage, const image::Image& picture, const image::Image* reference = nullptr) {
+    return judgePicture(stage.scene, 0, truthOfLight(stage.scene->light(0)), picture, reference);
+}
+
+TEST(ForeignJudgeTest, APictureOfOneKindIsNothingElse) {
+    int cases = 0;
+    for (const Staged& stage : staged())
+        for (const auto& [grey, cause] : {std::pair<std::uint8_t, const char*>(0, "all-dark"), std::pair<std::uint8_t, const char*>(255, "no-shadows")}) {
+            const JudgedPicture judged = judgedImage(stage, constantImage(stage, grey, 255));
+            ASSERT_FALSE(judged.diagnosis.causes.empty()) << stage.own.name;
+            EXPECT_EQ(judged.diagnosis.causes.front().id, cause) << stage.own.name << said(judged);
+            for (std::size_t i = 1; i < judged.diagnosis.causes.size(); ++i)
+                EXPECT_EQ(judged.diagnosis.causes[i].id, "missing-front-cap") << stage.own.name << said(judged);
+            ++cases;
+        }
+    EXPECT_EQ(cases, 6);
+}
+
+TEST(ForeignJudgeTest, AWhiteThatIsNot255IsSaid) {
+    const Staged& stage = staged()[0];
+    int cases = 0;
+    for (const int white : {1, 128}) {
+        image::Image picture = imageOf(foreign_renderer::render(stage.own, {}).visibility);
+        for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+            if (i % 4 != 3) picture.rgba[i] = picture.rgba[i] > 127 ? static_cast<std::uint8_t>(white) : 0;
+        const JudgedPicture judged = judgedImage(stage, picture);
+        EXPECT_EQ(judged.white, white);
+        EXPECT_EQ(judged.errors.judgement.counts.wrong(), 0) << said(judged);
+        EXPECT_FALSE(judged.isRight());
+        ++cases;
+    }
+    EXPECT_EQ(cases, 2);
+}
+
+TEST(ForeignJudgeTest, PicturesThatCannotBeJudgedAreRefused) {
+    const Staged& stage = staged()[0];
+    const Pictures pictures = foreign_renderer::render(stage.own, {});
+    const image::Image shaded = imageOf(pictures.shaded), reference = imageOf(pictures.unshadowed);
+    EXPECT_THROW((void)judgedImage(stage, constantImage(stage, 255, 0)), Error);
+    EXPECT_THROW((void)judgedImage(stage, reference, &shaded), Error); // exchanged
+    image::Image partly = imageOf(pictures.visibility);
+    for (std::size_t i = 3; i < partly.rgba.size() / 2; i += 4)
+        partly.rgba[i] = 0;
+    EXPECT_NE(judgedImage(stage, partly).remark.find("transparent"), std::string::npos);
+    EXPECT_TRUE(judgedImage(stage, shaded, &reference).remark.empty());
+}
+
+// Its shadows are right: brighter or flatter light must not make wrong ones, and white says nothing.
+TEST(ForeignJudgeTest, AnOverexposedPairHasNoWrongShadows) {
+    int cases = 0;
+    for (const Staged& stage : staged())
+        for (const double brighter : {3.0, 8.0}) {
+            Staged bright{stage.own, stage.scene};
+            bright.own.intensity *= brighter, bright.own.ambient *= brighter;
+            const JudgedPicture judged = judgedPair(bright, foreign_renderer::render(bright.own, {}));
+            EXPECT_EQ(judged.errors.judgement.counts.wrong(), 0) << stage.own.name << brighter << "\n" << said(judged);
+            ++cases;
+        }
+    EXPECT_EQ(cases, 6);
+}
+
+TEST(ForeignJudgeTest, ANegatedCoordinateOfTheLightIsSaid) {
+    int cases = 0;
+    for (const Staged& stage : staged()) {
+        if (stage.own.isSun) continue;
+        Settings settings;
+        settings.lightOffset = {-2 * stage.own.light.x, 0, 0};
+        const JudgedPicture negated = judgedVisibility(stage, foreign_renderer::render(stage.own, settings));
+        ASSERT_FALSE(negated.diagnosis.causes.empty());
+        EXPECT_NE(negated.diagnosis.causes.front().what.find("x is negated"), std::string::npos) << said(negated);
+        ++cases;
+    }
+    EXPECT_GE(cases, 1);
 }
 
 } // namespace

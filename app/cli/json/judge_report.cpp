@@ -52,6 +52,8 @@ Json judgedJson(const JudgedPicture& judged) {
     json["rmse"] = counts.rmse;
     json["lightStrength"] = judged.found.strength;
     json["clipped"] = judged.found.clipped;
+    json["white"] = judged.white ? Json(*judged.white) : Json(nullptr);
+    json["remark"] = textJson(judged.remark);
     return json;
 }
 
@@ -124,11 +126,13 @@ std::string judgedText(const JudgeReport& report) {
                             {"boundary px max", boundary ? picture::fixed(boundary->max, 2) : "-", ""},
                             {"RMSE", picture::fixed(counts.rmse, 4), ""}});
     if (const auto& region = judged.diagnosis.region) {
-        text += "\nworst region: " + std::to_string(region->pixels) + " wrong pixels, " + std::to_string(region->core) + " of them core errors, in " +
+        text += "\nworst region: " + std::to_string(region->pixels) + (region->pixels == 1 ? " wrong pixel, " : " wrong pixels, ") + std::to_string(region->core) + (region->core == 1 ? " of them a core error, in " : " of them core errors, in ") +
                 std::to_string(region->size.x) + "x" + std::to_string(region->size.y) + " at " + std::to_string(region->corner.x) + "," + std::to_string(region->corner.y);
         if (!region->object.empty()) text += ", most on '" + region->object + "'";
         text += "; first wrong pixel " + std::to_string(region->firstWrong.x) + "," + std::to_string(region->firstWrong.y) + "\n";
     }
+    if (!judged.remark.empty()) text += "\nremark: " + judged.remark + ".\n";
+    if (judged.white) text += "\nencoding: its white is " + std::to_string(*judged.white) + ", not 255; it is judged as if it were.\n  remedy: write 255 where the light is seen\n";
     if (judged.encoding) text += "\nencoding: " + encodingText(report, *judged.encoding) + ".\n";
     for (const foreign::NamedCause& cause : judged.diagnosis.causes)
         text += std::string(besideText(cause.beside)) + " like: " + cause.id + ": " + cause.what + ".\n  remedy: " + cause.remedy + "\n";
