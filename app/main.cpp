@@ -27,7 +27,7 @@ bool hasEnded = false;
 /// Nothing of this program calls exit(). What does would else leave with whatever status it likes, and without a picture.
 void onExit() {
     if (hasEnded) return;
-    fail(shadowlab::ExitStatus::bug, "a plug-in or a library has ended the program; try without it");
+    fail(shadowlab::ExitStatus::bug, std::string(shadowlab::student::kEndedByPlugin) + "; try without it");
     shadowlab::image::removeTemporariesNow();
     ::_exit(static_cast<int>(shadowlab::ExitStatus::bug));
 }

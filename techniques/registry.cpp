@@ -51,7 +51,8 @@ const TechniqueInfo& findTechnique(std::string_view id) {
         if (technique.info->id == id) return *technique.info;
         known.emplace_back(technique.info->id);
     }
-    throw Error(ExitStatus::usage, "no technique is called '" + std::string(id) + "'; " + suggestion(id, known));
+    throw Error(ExitStatus::usage, "no technique is called '" + std::string(id) + "'; " + suggestion(id, known) +
+                                       " (one of a plug-in: add --plugin FILE)");
 }
 
 } // namespace shadowlab

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/cli/command.h"
@@ -98,10 +99,21 @@ AskedSheet sheetFrom(const std::string& text) {
     return {choiceFrom("--sheet", text.substr(0, colon), names), text.substr(colon + 1)};
 }
 
+/// One file has one such name.
+std::filesystem::path wholeName(const std::filesystem::path& file) {
+    std::error_code failed;
+    const std::filesystem::path whole = std::filesystem::weakly_canonical(file, failed);
+    return failed ? file.lexically_normal() : whole;
+}
+
 std::vector<AskedSheet> sheetsFrom(const GivenOptions& given) {
     std::vector<AskedSheet> sheets;
     for (const std::string& text : given.texts("--sheet"))
         sheets.push_back(sheetFrom(text));
+    for (std::size_t i = 0; i < sheets.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (sheets[i].file != "-" && wholeName(sheets[i].file) == wholeName(sheets[j].file))
+                refuseUsage("--sheet: two sheets are to be written to " + sheets[i].file.string() + "; give each a file of its own");
     const auto shown = std::ranges::count(sheets, std::filesystem::path("-"), &AskedSheet::file) + (given.has("--json") ? 1 : 0);
     if (shown > 1) refuseUsage("--sheet: standard output can take one sheet; write the others, or --json, to a file or leave them out");
     return sheets;
@@ -210,6 +222,7 @@ student::SearchReport searchedFor(const GradeOptions& options, const student::Sh
     student::FoundScene found;
     found.idea = finding.kind->idea;
     found.sentence = student::sentenceOf(finding);
+    found.counted = student::countedText(*sheet.family, finding.kind->judged);
     found.blanks = student::blanksAbout(finding, *sheet.family, blanks, student::likelyBlanks(sheet));
     found.number = finding.number + 1;
     found.triangles = student::triangleCount(finding.scene);
@@ -245,7 +258,7 @@ int grade(const GradeOptions& options) {
     const student::Declared declared = student::askPlugin(options.plugin, conditions);
     const student::Candidate candidate{options.plugin, chosenTechnique(options, declared), options.backend};
     const student::Family& family = chosenFamily(options, declared);
-    const std::vector<student::Blank> blanks = student::blanksOf(family);
+    const std::vector<student::Blank> blanks = student::blanksOf(family, declared.skeleton);
     requireWritable(options, candidate.technique);
     tellSandbox(conditions.sandbox);
     const std::unique_ptr<context::Context> context = context::createContext(context::backendFromName(options.backend));

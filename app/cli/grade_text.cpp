@@ -4,6 +4,7 @@
 #include "app/cli/json/json_values.h"
 #include "app/cli/text_table.h"
 #include "app/student/grading/likely_blanks.h"
+#include "app/student/grading/sheets/html_parts.h"
 
 namespace shadowlab::cli {
 
@@ -19,16 +20,11 @@ std::string searchText(const student::SearchReport& search, const std::vector<st
     if (!search.found) return text;
     const student::FoundScene& found = *search.found;
     text += found.sentence + "\n";
-    if (const std::string names = student::namesOf(found.blanks, blanks); !names.empty()) text += "It is about " + names + ".\n";
+    if (!found.counted.empty()) text += found.counted + "\n";
+    if (const std::string names = student::namesOf(found.blanks, blanks); !names.empty()) text += "Look first at " + names + ".\n";
     if (!found.scene.empty()) text += "The scene: " + found.scene + "\n";
     if (!found.lesson.empty()) text += "A lesson of it: " + found.lesson + "\n";
     return text;
-}
-
-std::string aboutText(const CaseResult& result, const std::vector<student::Blank>& blanks) {
-    const std::string names = student::namesOf(student::numbersIn(result.which->blanks), blanks);
-    if (names.empty()) return " It is about several blanks: " + std::string(result.which->blanks) + ".";
-    return " It is about " + names + ".";
 }
 
 } // namespace
@@ -46,8 +42,7 @@ std::string sheetText(const GradedSheet& graded, std::optional<std::size_t> colu
     text += aligned(rows, columns);
     for (const CaseResult& result : sheet.results)
         if (!result.isRight())
-            text += "\n" + std::string(result.which->id) + ": " + student::whatIsWrong(result, *sheet.family) + " " +
-                    std::string(result.which->hint) + aboutText(result, graded.blanks) + "\n";
+            text += "\n" + std::string(result.which->id) + ": " + student::caseText(result, *sheet.family, graded.blanks) + "\n";
     if (const std::string likely = student::likelyText(sheet, graded.blanks); !likely.empty()) text += "\n" + likely + "\n";
     if (!graded.picture.empty()) text += "\nThe first failing case: " + graded.picture + "\n";
     if (graded.search) text += searchText(*graded.search, graded.blanks);
@@ -71,8 +66,8 @@ std::string sheetJson(const GradedSheet& graded) {
                          {"points", result.points()},
                          {"of", result.which->points},
                          {"failure", result.failure},
-                         {"hint", result.isRight() ? "" : std::string(result.which->hint)},
-                         {"blanks", student::numbersIn(result.which->blanks)}});
+                         {"hint", student::hintOf(result)},
+                         {"blanks", graded.blanks.empty() ? std::vector<int>() : student::numbersIn(result.which->blanks)}});
     Json json{{"plugin", sheet.candidate.plugin.string()},
               {"technique", sheet.candidate.technique},
               {"family", sheet.family->id},
@@ -91,6 +86,7 @@ std::string sheetJson(const GradedSheet& graded) {
             search["found"] = {{"number", found->number},
                                {"idea", found->idea},
                                {"sentence", found->sentence},
+                               {"counted", found->counted},
                                {"blanks", found->blanks},
                                {"triangles", found->triangles},
                                {"trianglesBefore", found->trianglesBefore},

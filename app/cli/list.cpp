@@ -23,6 +23,7 @@
 #include "app/picture/limits.h"
 #include "app/picture/stage_ref.h"
 #include "app/student/plugins.h"
+#include "app/student/skeletons.h"
 #include "app/window/actions.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/nearest_names.h"
@@ -79,10 +80,11 @@ Table techniquesTable() {
 }
 
 Table pluginsTable() {
-    Table table{{"file", "technique", "family"}, {}};
+    Table table{{"file", "technique", "family", "skeleton"}, {}};
     for (const student::LoadedPlugin& plugin : student::loadedPlugins())
         for (const TechniqueInfo& info : plugin.techniques)
-            table.rows.push_back({plugin.file, std::string(info.id), std::string(plugin.plugin->family)});
+            table.rows.push_back({plugin.file, std::string(info.id), std::string(plugin.plugin->family),
+                                  student::skeletonOf(*plugin.plugin)});
     return table;
 }
 

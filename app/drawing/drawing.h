@@ -99,6 +99,9 @@ public:
     void beginClip(dvec2 corner, dvec2 size) { marks_.emplace_back(ClipBegin{corner, size}); }
     void endClip() { marks_.emplace_back(ClipEnd{}); }
 
+    /// Makes the sheet higher: empty room below.
+    void addRoomBelow(double height) { size_.y += height; }
+
     [[nodiscard]] dvec2 size() const { return size_; }
     [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
 

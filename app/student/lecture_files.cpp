@@ -45,10 +45,7 @@ void addWithNeeds(SourceFiles& files, const std::string& name) {
 }
 
 /// "lecture-light-on" -> "my-shadows-light-on": each anchor stands in one place of the program and all plug-ins.
-std::string anchorInPlugin(const std::string& anchor) {
-    constexpr std::string_view kPrefix = "lecture-";
-    return "my-shadows-" + (anchor.starts_with(kPrefix) ? anchor.substr(kPrefix.size()) : anchor);
-}
+std::string anchorInPlugin(const std::string& anchor) { return "my-shadows-" + withoutLecture(anchor); }
 
 /// Gives the anchors new names where they stand, and where the passes name them (PassInfo::anchors).
 std::string withOwnAnchors(const std::string& text, const std::set<std::string>& anchors) {
@@ -78,6 +75,11 @@ std::string withOwnDescription(std::string text, const std::string& idInLecture)
 }
 
 } // namespace
+
+std::string withoutLecture(const std::string& anchor) {
+    constexpr std::string_view kPrefix = "lecture-";
+    return anchor.starts_with(kPrefix) ? anchor.substr(kPrefix.size()) : anchor;
+}
 
 void replaceAll(std::string& text, std::string_view from, std::string_view to) {
     for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))

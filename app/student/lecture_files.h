@@ -19,6 +19,9 @@ std::string nameInPlugin(const std::string& name, const std::string& source);
 /// "shaders/my_shadows/project.vert". It has one technique, `my-shadows`, and its anchors begin with that.
 SourceFiles asPlugin(const SourceFiles& files, const std::string& source);
 
+/// "lecture-tree" -> "tree": how its anchor ends in a plug-in, "my-shadows-tree".
+std::string withoutLecture(const std::string& anchor);
+
 /// Replaces every occurrence; what is put in is not looked at again.
 void replaceAll(std::string& text, std::string_view from, std::string_view to);
 

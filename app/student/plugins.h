@@ -17,6 +17,9 @@ struct LoadedPlugin {
     std::span<const TechniqueInfo> techniques;
 };
 
+/// What the program says, and ends with status 70, where the code of a plug-in calls exit().
+inline constexpr const char* kEndedByPlugin = "a plug-in or a library has ended the program";
+
 /// Takes one in, before anybody has asked for the list of techniques. Its own code runs in another process first, so that one
 /// that does not survive it is a message and no crash. Throws Error (badInput), `FILE: what is wrong; what to do`, and leaves
 /// everything as it was: no file, no shared library, none of ours, built for another contract, does not load, throws, ids that

@@ -133,6 +133,19 @@ std::string sceneToTry(const std::string& skeleton) {
     return skeleton == "empty" ? "sphere-on-plane" : readSkeleton(descriptionOf(skeleton)).scene;
 }
 
+std::string skeletonOf(const Plugin& plugin) {
+    std::string text;
+    for (const EmbeddedSource& source : plugin.sources)
+        text += source.text;
+    for (const gl::EmbeddedShader& shader : plugin.shaders)
+        text += shader.text;
+    // Of an anchor all but its beginning is kept, whatever the technique is called.
+    const auto has = [&](const Blank& blank) { return text.find("-" + withoutLecture(blank.anchor) + "]") != std::string::npos; };
+    for (const std::string& name : skeletonNames())
+        if (name != "empty" && std::ranges::all_of(readSkeleton(descriptionOf(name)).blanks, has)) return name;
+    return {};
+}
+
 void requireFreeName(const std::string& name) {
     const auto refuse = [&](const std::string& why) {
         throw Error(ExitStatus::usage, "new-technique: '" + name + "' " + why);

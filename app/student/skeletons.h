@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "techniques/plugin.h"
+
 namespace shadowlab::student {
 
 /// "empty", and those with blanks in the order of the lecture: "planar", "shadow-map", "z-fail", "ray-tracing", "radiosity".
@@ -19,6 +21,10 @@ std::map<std::string, std::string> skeletonFiles(const std::string& skeleton);
 
 /// A built-in scene in which one sees whether it is right. Throws as skeletonFiles().
 std::string sceneToTry(const std::string& skeleton);
+
+/// The skeleton with blanks that a plug-in was made from: its sources and shaders have the anchors of all blanks, under names of their own.
+/// Empty: of none, or the anchors have been taken out. Throws Error (badInput) where a file of the program is missing.
+std::string skeletonOf(const Plugin& plugin);
 
 /// Throws Error (usage) where a technique, its namespace and its folder of shaders cannot have that name: no id, longer than 40
 /// characters, a word of C++, or in use.

@@ -111,13 +111,17 @@ def check_plugin_is_everywhere(program, place, plugin):
     succeed(program, "probe", "still-life", "--pixel", "30,30", "-t", "my-own", "--plugin", plugin, *size)
     one_line(run(program, "grade", "--plugin", plugin), 2, "--family")
     one_line(run(program, "grade"), 2, "--plugin is missing")
+    one_line(run(program, "grade", "--plugin", plugin, "--sheet", "html:a.html", "--sheet", "text:./a.html"), 2, "two sheets", "a.html")
+    # It was made from no skeleton with blanks, so none is named.
+    sheet = run(program, "grade", "--plugin", plugin, "--family", "planar").out
+    expect("0/3" in sheet and "blank" not in sheet, sheet)
 
 
 def check_misbehaving(program, plugin, place):
     """What happens to it is a line of the sheet, and the sheet goes on."""
     limits = ["--time-limit", "10" if LONG else "1", "--memory-limit", "700"]
     said = {"crashes": "segmentation fault", "never-ends": "within", "throws": "the student's own words", "breaks-gl": "GL_INVALID",
-            "exits": "ended the program", "eats-memory": "more than 700 MiB"}
+            "exits": "it has ended the program itself", "eats-memory": "more than 700 MiB"}
     for behaviour in said if LONG else ["crashes", "never-ends"]:
         result = misbehaving(program, "grade", "--plugin", plugin, "--json", *limits, "-o", place / behaviour, behaviour=behaviour)
         expect(result.status == 1, str(result))
@@ -125,6 +129,7 @@ def check_misbehaving(program, plugin, place):
         expect(sheet["points"] == 0 and len(sheet["cases"]) >= 8, str(result))
         for case in sheet["cases"]:
             slow = not LONG and "within" in case["failure"]  # a second is little for a process on a busy machine
+            expect(case["hint"] == "" and case["blanks"] == [], f"{behaviour}: nothing is said of an idea: {case}")
             expect(case["wrong"] is None and (said[behaviour] in case["failure"] or slow), f"{behaviour}: {case}")
         expect(Path(sheet["picture"]).stat().st_size > 1000, "a picture that says so")
 

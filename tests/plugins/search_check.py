@@ -15,7 +15,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from kit import Failed, build, expect, fill_in, install, run, succeed
+from kit import Failed, build, expect, fill_in, install, one_line, run, succeed
 from solutions import SOLUTIONS
 
 LONG = bool(os.environ.get("SHADOWLAB_LONG"))
@@ -60,6 +60,8 @@ class Searched:
         expect(lesson is not None, f"a picture that is wrong makes a lesson: {found}")
         said = succeed(self.program, "lesson", lesson, "--measure", "--plugin", self.plugin).out
         expect("as expected" in said, said)
+        one_line(run(self.program, "lesson", lesson), 3, "no technique is called", "add --plugin FILE")
+        expect("not from the plug-in" in next(out.glob("*-search.svg")).read_text(), "the figure says of what it is drawn")
         page = next(out.glob("*-sheet.html")).read_text()
         expect(page.count("data:image/png") >= 2 and "http" not in page and "<script" not in page, "the page stands alone")
         expect(next(out.glob("*-search.svg")).stat().st_size > 1000, "a figure")

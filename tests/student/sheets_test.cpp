@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/student/grading/likely_blanks.h"
+#include "app/student/search/finding_text.h"
+#include "app/student/skeletons.h"
 #include "techniques/foundation/image/png/png.h"
 
 namespace shadowlab::student {
@@ -139,7 +141,8 @@ TEST(SheetsTest, GradescopeReadsTheResults) {
         const json& test = results["tests"][failing];
         EXPECT_EQ(test["status"], "failed");
         EXPECT_EQ(count(test["output"], "data:image/png;base64,"), 1u);
-        EXPECT_NE(test["output"].get<std::string>().find("blank 1 (the projection matrix)"), std::string::npos);
+        // A picture has a hint and its blanks; what ended before has neither.
+        EXPECT_EQ(test["output"].get<std::string>().find("The case tests blank 1 (the projection matrix)") != std::string::npos, failing == 1u);
         expectSelfContained(test["output"].get<std::string>() + results["tests"].back()["output"].get<std::string>());
     }
     EXPECT_EQ(results["tests"].back()["status"], "failed");
@@ -213,6 +216,68 @@ TEST(SheetsTest, EveryCaseSaysWhichBlanksItIsAbout) {
     EXPECT_GE(cases, 40);
 }
 
+TEST(SheetsTest, NoBlankIsNamedOfAPlugInThatHasNone) {
+    const Family& planar = findFamily("planar");
+    EXPECT_EQ(blanksOf(planar, "planar").size(), 4u);
+    for (const char* other : {"", "empty", "z-fail", "../grading/flat-sun"})
+        EXPECT_TRUE(blanksOf(planar, other).empty()) << other;
+    SearchReport report = someReport();
+    report.found->sentence = "Wrong.";
+    const std::string html = htmlSheet(someSheet(), {}, report);
+    EXPECT_GT(html.size(), 1000u);
+    EXPECT_EQ(html.find("blank"), std::string::npos);
+    EXPECT_EQ(namesOf({1, 2}, {}), "");
+}
+
+TEST(SheetsTest, ASkeletonIsKnownByTheAnchorsOfItsBlanks) {
+    const auto pluginWith = [](const EmbeddedSource& source) {
+        Plugin plugin;
+        plugin.sources = {&source, 1};
+        return plugin;
+    };
+    int known = 0;
+    for (const std::string& name : skeletonNames()) {
+        std::string all;
+        for (const auto& [file, text] : skeletonFiles(name))
+            all += text;
+        const EmbeddedSource source{"technique.cpp", all};
+        EXPECT_EQ(skeletonOf(pluginWith(source)), name == "empty" ? "" : name);
+        ++known;
+    }
+    EXPECT_EQ(known, 6);
+    const EmbeddedSource one{"technique.cpp", "// [anchor: x-projection-matrix]\n"};
+    EXPECT_EQ(skeletonOf(pluginWith(one)), "") << "one blank of four";
+}
+
+TEST(SheetsTest, AStageThatIsWrongRulesOutTheBlanksThatComeAfterIt) {
+    int asked = 0;
+    const auto about = [&](const char* family, const char* stage) {
+        Finding finding;
+        finding.kind = kindsOf(findFamily(family)).data();
+        finding.stage = StageEvidence{stage, false};
+        const std::vector<Blank> blanks = blanksOf(findFamily(family));
+        std::vector<int> all;
+        for (std::size_t i = 1; i <= blanks.size(); ++i)
+            all.push_back(static_cast<int>(i));
+        ++asked;
+        EXPECT_TRUE(blanksAbout(finding, findFamily(family), {}, all).empty()) << "a plug-in without blanks";
+        return blanksAbout(finding, findFamily(family), blanks, all);
+    };
+    EXPECT_EQ(about("shadow-map", "light-depth"), (std::vector<int>{1, 2, 3}));
+    EXPECT_EQ(about("shadow-map", "depth-on-view"), (std::vector<int>{1, 2, 3, 4})) << "not the comparison";
+    EXPECT_EQ(about("shadow-map", "distance-on-view"), (std::vector<int>{1, 2, 4}));
+    EXPECT_EQ(about("shadow-map", "comparison"), (std::vector<int>{1, 2, 3, 4, 5}));
+    EXPECT_EQ(about("shadow-volume", "volume-parts"), (std::vector<int>{1, 2, 3, 4}));
+    EXPECT_EQ(about("shadow-volume", "stencil-back"), (std::vector<int>{1, 2, 3, 4, 5, 7}));
+    EXPECT_EQ(about("radiosity", "row-sums"), (std::vector<int>{1, 2, 3}));
+    EXPECT_EQ(asked, 7);
+    // Cases that point only at what the stage rules out.
+    Finding finding;
+    finding.kind = kindsOf(findFamily("shadow-map")).data();
+    finding.stage = StageEvidence{"depth-on-view", false};
+    EXPECT_EQ(blanksAbout(finding, findFamily("shadow-map"), blanksOf(findFamily("shadow-map")), {5}), (std::vector<int>{1, 2, 3, 4}));
+}
+
 TEST(SheetsTest, WhatFailsTellsTheBlankWhereItCan) {
     Sheet sheet = someSheet();
     EXPECT_TRUE(likelyBlanks(sheet).empty()) << "without a picture nothing is told";
@@ -220,6 +285,9 @@ TEST(SheetsTest, WhatFailsTellsTheBlankWhereItCan) {
         result.wrong = result.which->id == "flat-above-lamp" || result.which->id == "flat-screen" ? 0 : 5000;
     EXPECT_EQ(failingCases(sheet), "110111101");
     EXPECT_EQ(likelyBlanks(sheet), std::vector<int>{4});
+    EXPECT_EQ(likelyText(sheet, planarBlanks()), "Of the mistakes that were tried, blank 4 (what lies below the plane casts no shadow on it) left empty or "
+                                                 "filled in wrongly gives just these failures: look there first.");
+    EXPECT_EQ(likelyText(sheet, {}), "");
     for (CaseResult& result : sheet.results)
         result.wrong = 0;
     EXPECT_TRUE(likelyBlanks(sheet).empty());

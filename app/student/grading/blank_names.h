@@ -12,7 +12,11 @@ namespace shadowlab::student {
 /// Of the skeleton with that family. Throws Error (badInput) where a file of the program is missing.
 std::vector<Blank> blanksOf(const Family& family);
 
-/// "blank 2 (the plane's equation)"; of several "blank 1 (...), or blank 2 (...)"; empty where there are none, or more than three.
+/// The same of a plug-in that was made from that skeleton; none where it was made from another one, or from none (empty).
+std::vector<Blank> blanksOf(const Family& family, const std::string& skeleton);
+
+/// "blank 2 (the plane's equation)"; of several "blank 1 (...), or blank 2 (...)"; empty where there are none, more than three,
+/// or no blanks at all.
 std::string namesOf(const std::vector<int>& numbers, const std::vector<Blank>& blanks);
 
 } // namespace shadowlab::student

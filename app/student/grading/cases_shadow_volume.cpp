@@ -23,7 +23,7 @@ constexpr std::array kShadowVolumeCases = std::to_array<Case>({
     {"volume-mirrored", "meshes that a mirror has turned inside out", "1 2", 8, kExactVolume, 2,
      "Which corner order is the front depends on the object: scene::isMirrored, glFrontFace."},
     {"volume-row", "points in several volumes at once", "5 6", 12, kExactVolume, 2,
-     "Add and take, and wrap: a count may go below zero on its way."},
+     "Add one for each face behind a point that faces away, then take one for each that faces the viewer: in the light nothing is left."},
     {"volume-long", "a shadow falls as far as there is something", "3", 12, kExactVolume, 2,
      "Extrude to infinity (w = 0), and clamp depths, so that the far plane does not cut the volume open."},
 });

@@ -9,6 +9,7 @@
 
 #include "app/context/signals.h"
 #include "app/student/plugin_trial.h"
+#include "app/student/plugins.h"
 #include "techniques/foundation/base/error.h"
 
 namespace shadowlab::student {
@@ -27,6 +28,7 @@ std::string lastLine(std::string text) {
         if (text.starts_with(prefix)) text.erase(0, prefix.size());
     // What the program says of itself is about the plug-in here.
     constexpr std::string_view kOurs = "; this is a fault of the program";
+    if (text.starts_with(kEndedByPlugin)) return "it has ended the program itself; leave out exit()";
     return text.substr(0, text.find(kOurs));
 }
 

@@ -154,6 +154,8 @@ std::string whatIsWrong(const CaseResult& result, const Family& family) {
            " dark that should be lit.";
 }
 
+std::string hintOf(const CaseResult& result) { return result.wrong && !result.isRight() ? std::string(result.which->hint) : ""; }
+
 Declared askPlugin(const fs::path& plugin, const Conditions& conditions) {
     std::error_code none; // what is no file cannot be given to a sandbox: that it is none is said by the program itself
     const bool isThere = fs::exists(plugin, none);
@@ -174,6 +176,7 @@ Declared askPlugin(const fs::path& plugin, const Conditions& conditions) {
     for (const nlohmann::json& row : json.at("plugins")) {
         declared.techniques.push_back(row.value("technique", ""));
         declared.family = row.value("family", "");
+        declared.skeleton = row.value("skeleton", "");
     }
     return declared;
 }

@@ -53,11 +53,15 @@ struct Sheet {
 /// What is wrong in a case that is not right, as sentences.
 std::string whatIsWrong(const CaseResult& result, const Family& family);
 
-/// Asks a plug-in, in a process of its own, which techniques it has and which family it says it is of (empty: none). Throws Error
+/// Where to look in such a case. Empty without a picture: what crashes, or takes too long, says nothing of the idea that is tested.
+std::string hintOf(const CaseResult& result);
+
+/// Asks a plug-in, in a process of its own, which techniques it has, which family it says it is of (empty: none), and which
+/// skeleton it was made from (skeletonOf()). Throws Error
 /// (badInput) with the line that its loading failed with.
 struct Declared {
     std::vector<std::string> techniques;
-    std::string family;
+    std::string family, skeleton;
 };
 Declared askPlugin(const std::filesystem::path& plugin, const Conditions& conditions);
 

@@ -26,14 +26,38 @@ std::string_view probedTechnique(const Family& family) {
     return family.id == "ray-tracing" ? "ray-traced" : "radiosity";
 }
 
+/// A figure is drawn of a technique of the program, and shows what that decides: it says so, and what the plug-in does.
+std::string captionOf(const Finding& finding, const Family& family) {
+    const Trial& trial = finding.trial;
+    const std::string pixel = "pixel " + std::to_string(trial.pixel.x) + "," + std::to_string(trial.pixel.y);
+    const std::string text = "Drawn from the program's own " + std::string(probedTechnique(family)) + ", not from the plug-in. ";
+    const std::string lecture = text + "The lecture's algorithm decides of " + pixel + ": ";
+    if (trial.atPixel == judge::Verdict::falseLit) return lecture + "in shadow. The plug-in says the opposite: lit.";
+    if (trial.atPixel == judge::Verdict::falseShadow) return lecture + "lit. The plug-in says the opposite: in shadow.";
+    return text + "In " + pixel + " the picture of the plug-in is another one than that of the lecture's algorithm.";
+}
+
+void addCaption(drawing::Drawing& drawing, const std::string& text, const image::Font& font) {
+    constexpr double kEm = 30, kLine = 1.4 * kEm, kBorder = 40; // as high as the figure's own words
+    const std::vector<std::string> lines = font.wrap(text, kEm, static_cast<int>(drawing.size().x - 2 * kBorder));
+    double y = drawing.size().y + kEm;
+    drawing.addRoomBelow(static_cast<double>(lines.size()) * kLine + kEm);
+    for (const std::string& line : lines) {
+        drawing.text({kBorder, y}, line, {.size = kEm, .isBold = false});
+        y += kLine;
+    }
+}
+
 /// Nothing where the pixel has nothing to draw.
-std::optional<std::string> figureWith(const Family& family, const scene::Snapshot& snapshot, const View& view, int light) {
+std::optional<std::string> figureWith(const Finding& finding, const Family& family, const scene::Snapshot& snapshot, const View& view, int light) {
     const std::filesystem::path fonts = context::assetsRoot() / "fonts";
     const image::Font font(fonts / "DejaVuSans.ttf"), bold(fonts / "DejaVuSans-Bold.ttf");
     picture::Slot slot = picture::Session::makeSlot(probedTechnique(family));
     try {
         const Probe probe = slot.technique->probe(snapshot, view, *view.picked, light);
-        return figures::findFigure("pixel").draw({probe, probedTechnique(family), *snapshot, view, light, font, bold}).document();
+        figures::Diagram diagram = figures::findFigure("pixel").draw({probe, probedTechnique(family), *snapshot, view, light, font, bold});
+        addCaption(diagram.drawing, captionOf(finding, family), font);
+        return diagram.document();
     } catch (const Error&) {
         return std::nullopt;
     }
@@ -44,12 +68,12 @@ std::optional<std::string> figure(const Finding& finding, const Family& family, 
     View view = foundView(*snapshot);
     view.picked = finding.trial.pixel;
     if (family.id != "radiosity")
-        return figureWith(family, snapshot, view, snapshot->lights.empty() ? kNoLight : std::max(finding.trial.light, 0));
+        return figureWith(finding, family, snapshot, view, snapshot->lights.empty() ? kNoLight : std::max(finding.trial.light, 0));
     constexpr int kEvery = 12; // pixels
     for (int y = kEvery / 2; y < kSearchHeight; y += kEvery)
         for (int x = kEvery / 2; x < kSearchWidth; x += kEvery) {
             view.partner = ivec2(x, y);
-            if (auto drawn = figureWith(family, snapshot, view, kNoLight)) return drawn;
+            if (auto drawn = figureWith(finding, family, snapshot, view, kNoLight)) return drawn;
         }
     return std::nullopt;
 }

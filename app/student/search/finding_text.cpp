@@ -48,14 +48,27 @@ std::string stageInWords(const StageEvidence& stage) {
                          : "Your stage " + stage.stage + " is the first that is not as it should be.";
 }
 
+/// Stages that no pass shows, or not all of it: the blanks that can be seen in them, by number.
+struct SeenIn {
+    std::string_view family, stage, blanks;
+};
+constexpr std::array kSeenIn = std::to_array<SeenIn>({
+    {"shadow-map", "depth-on-view", "1 2 3 4"}, // the comparison comes later
+    {"shadow-map", "distance-on-view", "1 2 4"}, // and the bias is in the map
+    {"shadow-volume", "volume-parts", "1 2 3 4"},
+    {"shadow-volume", "stencil-back", "1 2 3 4 5 7"}, // faces that face the viewer come later
+    {"radiosity", "row-sums", "1 2 3"},
+});
+
 /// Those in the source of the passes up to the one that the stage shows: what an earlier one gets wrong by less than a level is not seen in
-/// its own stage. A stage that shows no pass of its own is made before the first that has one.
+/// its own stage.
 std::vector<int> blanksUpTo(const std::string& stage, const Family& family, const std::vector<Blank>& blanks) {
     const std::vector<PassInfo>& passes = findTechnique(rightTechnique(family)).passes;
-    const bool hasPass = std::ranges::find(passes, stage, &PassInfo::shownBy) != passes.end();
+    for (const SeenIn& seen : kSeenIn)
+        if (seen.family == family.id && seen.stage == stage) return numbersIn(seen.blanks);
+    if (std::ranges::find(passes, stage, &PassInfo::shownBy) == passes.end()) return {};
     std::vector<int> found;
     for (const PassInfo& pass : passes) {
-        if (!hasPass && !pass.shownBy.empty()) break;
         for (const AnchorUse& use : anchorsOf(pass))
             for (std::size_t i = 0; i < blanks.size(); ++i)
                 if (blanks[i].anchor == use.anchor) found.push_back(static_cast<int>(i) + 1);
@@ -92,12 +105,14 @@ std::string sentenceOf(const Finding& finding) {
 
 std::vector<int> blanksAbout(const Finding& finding, const Family& family, const std::vector<Blank>& blanks,
                              const std::vector<int>& bySheet) {
+    if (blanks.empty()) return {};
     const std::vector<int> about = bySheet.empty() ? finding.kind->blanks : bySheet;
     if (!finding.stage) return about;
     const std::vector<int> inStage = blanksUpTo(finding.stage->stage, family, blanks);
     std::vector<int> both;
     std::ranges::copy_if(about, std::back_inserter(both), [&](int blank) { return std::ranges::find(inStage, blank) != inStage.end(); });
-    return both.empty() ? about : both;
+    // The stage is drawn in this very scene: what it rules out is ruled out.
+    return !both.empty() ? both : !inStage.empty() ? inStage : about;
 }
 
 std::string lessonText(const Finding& finding, const Candidate& candidate, const Family& family, const std::string& stem) {
@@ -105,6 +120,7 @@ std::string lessonText(const Finding& finding, const Candidate& candidate, const
     const Trial& trial = finding.trial;
     // Sentences of a lesson have at most 260 characters.
     constexpr std::size_t kLongest = 260;
+    constexpr std::size_t kLongestTitle = 60; // of a lesson
     std::string happens = sentenceOf(finding);
     if (happens.size() > kLongest) happens = capital(sceneInWords(finding.scene)) + ": here " + observed(finding) + ".";
     dvec2 low(std::numeric_limits<double>::infinity()), high(0.0);
@@ -123,7 +139,7 @@ std::string lessonText(const Finding& finding, const Candidate& candidate, const
     if (trial.light < 0) expect["reference"] = {{"technique", right}};
     expect["before"] = {{"atLeast", least}};
     expect["after"] = {{"atMost", trial.light < 0 ? 0 : finding.rightAtDouble + (least - finding.rightAtDouble) / 2}};
-    Json lesson{{"title", capital(std::string(finding.kind->idea)).substr(0, 60)}, {"scene", stem + ".json"}};
+    Json lesson{{"title", capital(sceneInWords(finding.scene)).substr(0, kLongestTitle)}, {"scene", stem + ".json"}};
     if (trial.light >= 0) lesson["light"] = finding.scene.lights[static_cast<std::size_t>(trial.light)].name;
     lesson["before"] = {{"slots", {{{"technique", candidate.technique}}}}};
     lesson["after"] = {{"slots", {{{"technique", right}}}}};

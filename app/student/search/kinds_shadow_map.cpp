@@ -55,6 +55,19 @@ SearchScene contact(Dice& dice) {
     return scene;
 }
 
+/// The sun runs along a wall that stands close to its shadow: a bias that grows with the slope is largest there, and so is the gap that too
+/// large a one leaves.
+SearchScene grazedContact(Dice& dice) {
+    SearchScene scene;
+    scene.objects.push_back(bareFloor(20));
+    scene.objects.push_back(box("wall", {0, 0.4, 0}, {0.04, 0.8, dice.real(1.6, 2.2)}, dice.real(-8, 8)));
+    scene.objects.push_back(anyBody(dice, "body", dice.place({2, 1.2, -2}, {3, 1.8, -1}), 1.4));
+    scene.lights = {sun({-0.5, dice.real(-0.8, -0.6), dice.real(0.8, 1.1)})};
+    scene.eyeWorld = dice.place({-1.8, 1.4, 1.4}, {-1.2, 1.8, 2});
+    scene.targetWorld = {-0.2, 0.1, 0.2};
+    return scene;
+}
+
 SearchScene behindTheLamp(Dice& dice) {
     SearchScene scene;
     scene.objects.push_back(bareFloor(8));
@@ -115,6 +128,7 @@ std::span<const SceneKind> shadowMapKinds() {
         {"what lies behind the lamp", {4}, v, behindTheLamp},
         {"a lamp far away", {2}, v, aDistantLamp},
         {"a shadow where its caster stands", {3}, v, contact},
+        {"a wall that the light runs along", {3}, v, grazedContact},
         {"a round body", {3}, v, round},
         {"a sheet one millimetre thick", {3}, v, aThinSheet},
         {"two lights", {1, 2}, v, twoLights},

@@ -63,6 +63,16 @@ int leastWrong(const Family& family, Judged judged) {
     return judged == Judged::picture ? 60 : 40;
 }
 
+std::string countedText(const Family& family, Judged judged) {
+    std::string text = "Counted in a picture of " + std::to_string(kSearchWidth) + " x " + std::to_string(kSearchHeight) + " pixels";
+    const std::string right(rightTechnique(family));
+    if (judged == Judged::picture)
+        return text + ": those that are more than " + std::to_string(family.levels) + " of 255 levels off the picture of " + right + ".";
+    text += ", without ties: those where " + right + " is right";
+    if (family.id == "shadow-map") text += ", farther than 2.5 pixels from any true edge: the algorithm is wrong there, and not its texels alone";
+    return text + ".";
+}
+
 std::string_view rightTechnique(const Family& family) {
     if (!family.reference.empty()) return family.reference;
     return family.id == "planar" ? "lecture-planar" : family.id == "shadow-map" ? "lecture-shadow-map" : "lecture-zfail";
@@ -154,9 +164,11 @@ Trial SceneTrials::tryVisibility() {
             trial.falseShadow += judged.verdicts[i] == judge::Verdict::falseShadow;
         }
         addWrong(trial, std::move(isWrong));
-        if (trial.wrong > 0)
+        if (trial.wrong > 0) {
+            trial.atPixel = judged.verdicts[truth.index(trial.pixel.x, trial.pixel.y)];
             if (const std::uint32_t seen = truth.objects[truth.index(trial.pixel.x, trial.pixel.y)]; seen < snapshot_->objects.size())
                 trial.object = snapshot_->objects[seen].name;
+        }
         if (!worst.isFair || trial.wrong > worst.wrong) worst = std::move(trial);
     }
     return worst;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/judge/verdict.h"
 #include "app/student/search/random_scenes.h"
 #include "app/student/search/scene_drawer.h"
 #include "app/student/search/scene_painter.h"
@@ -23,6 +24,7 @@ struct Trial {
     int light = 0;             ///< that all this is about; kNoLight: the picture is
     std::vector<bool> isWrong; ///< per pixel, rows from the top
     ivec2 pixel{-1};           ///< a wrong one amid the others
+    judge::Verdict atPixel = judge::Verdict::correct; ///< on that pixel; of visibility alone
     std::string object;        ///< that is seen there; of visibility alone
 
     [[nodiscard]] bool fails(int least) const { return isFair && (!failure.empty() || wrong >= least); }
@@ -30,6 +32,9 @@ struct Trial {
 
 /// So many wrong pixels are no accident of rounding, of the grid of a map or of where patches end.
 int leastWrong(const Family& family, Judged judged);
+
+/// "160 x 90 pixels ...": the picture in which wrong pixels are counted, and which of them are.
+std::string countedText(const Family& family, Judged judged);
 
 /// The technique of the program that is held to be right in a family: the lecture's own.
 std::string_view rightTechnique(const Family& family);

@@ -11,6 +11,7 @@ namespace shadowlab::student {
 struct FoundScene {
     std::string idea;     ///< of the random scene: "a caster above the lamp"
     std::string sentence; ///< what is observed
+    std::string counted;  ///< in what picture, and which pixels
     std::vector<int> blanks; ///< that it may be about
     int number = 0;          ///< of the random scene, counted from 1
     int triangles = 0, trianglesBefore = 0, attempts = 0;

@@ -23,10 +23,13 @@ std::string figureHtml(std::string_view svg, std::string_view what) { return ima
 
 std::string caseText(const CaseResult& result, const Family& family, const std::vector<Blank>& blanks) {
     if (result.isRight()) return "Right: " + std::to_string(*result.wrong) + " wrong pixels, " + std::to_string(result.which->limit) + " may be.";
-    std::string text = whatIsWrong(result, family) + " " + std::string(result.which->hint);
-    if (const std::string names = namesOf(numbersIn(result.which->blanks), blanks); !names.empty()) text += " It is about " + names + ".";
-    else text += " It is about several blanks: " + std::string(result.which->blanks) + ".";
-    return text;
+    const std::string hint = hintOf(result);
+    if (hint.empty()) return whatIsWrong(result, family);
+    const std::vector<int> numbers = numbersIn(result.which->blanks);
+    std::string tested;
+    if (const std::string names = namesOf(numbers, blanks); !names.empty()) tested = " The case tests " + names + ".";
+    else if (!blanks.empty()) tested = " The case tests several blanks: " + std::string(result.which->blanks) + ".";
+    return whatIsWrong(result, family) + " " + hint + tested;
 }
 
 std::string caseHtml(const CaseResult& result, const Family& family, const std::vector<Blank>& blanks) {
@@ -41,7 +44,8 @@ std::string searchHtml(const SearchReport& search, const std::vector<Blank>& bla
     if (!search.found) return html;
     const FoundScene& found = *search.found;
     html += "<p><strong>" + drawing::escapedMarkup(found.sentence) + "</strong></p>";
-    if (const std::string names = namesOf(found.blanks, blanks); !names.empty()) html += "<p>It is about " + drawing::escapedMarkup(names) + ".</p>";
+    if (!found.counted.empty()) html += "<p>" + drawing::escapedMarkup(found.counted) + "</p>";
+    if (const std::string names = namesOf(found.blanks, blanks); !names.empty()) html += "<p>Look first at " + drawing::escapedMarkup(names) + ".</p>";
     if (!found.picture.empty()) html += pictureHtml(found.picture, "The student's picture of the scene, what is right, and the difference");
     if (!found.figure.empty()) html += figureHtml(found.figure, "The lecture's figure of a wrong pixel");
     return html;

@@ -26,11 +26,11 @@ std::string htmlSheet(const Sheet& sheet, const std::vector<Blank>& blanks, cons
                        std::to_string(sheet.mostPoints()) + " points</strong></p>\n";
     if (const std::string likely = likelyText(sheet, blanks); !likely.empty())
         html += "<p>" + drawing::escapedMarkup(likely) + "</p>\n";
-    html += "<table><thead><tr><th>case</th><th>idea</th><th>blanks</th><th>wrong pixels</th><th>limit</th><th>points</th></tr></thead><tbody>\n";
+    html += "<table><thead><tr><th>case</th><th>idea</th>" + std::string(blanks.empty() ? "" : "<th>tests blanks</th>") + "<th>wrong pixels</th><th>limit</th><th>points</th></tr></thead><tbody>\n";
     for (const CaseResult& result : sheet.results) {
         const std::string id(result.which->id);
         html += "<tr><td>" + (result.isRight() ? drawing::escapedMarkup(id) : "<a href=\"#" + id + "\">" + drawing::escapedMarkup(id) + "</a>") + "</td><td>" +
-                drawing::escapedMarkup(result.which->idea) + "</td><td>" + drawing::escapedMarkup(result.which->blanks) + "</td><td class=\"n\">" +
+                drawing::escapedMarkup(result.which->idea) + "</td>" + (blanks.empty() ? "" : "<td>" + drawing::escapedMarkup(result.which->blanks) + "</td>") + "<td class=\"n\">" +
                 (result.wrong ? std::to_string(*result.wrong) : "no picture") + "</td><td class=\"n\">" + std::to_string(result.which->limit) +
                 "</td><td class=\"n " + (result.isRight() ? "yes" : "no") + "\">" + std::to_string(result.points()) + "/" +
                 std::to_string(result.which->points) + "</td></tr>\n";
