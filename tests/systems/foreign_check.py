@@ -37,7 +37,8 @@ THREE_VERSION = "0.187"
 # Of the pixels with a surface, how many a shadow map may misjudge. In the colonnade one map of 4096 texels has to cover 26 m, and the
 # flutes of the columns are a few of its texels deep.
 LEAST_RIGHT_OF_MAPS = 0.985
-# One pixel of the lattice, 241,129, which POV-Ray lights though the lattice blocks the ray. Why has not been found out.
+# One pixel of the lattice, 241,129, which POV-Ray lights though the lattice blocks the ray. With all lengths times 100 it is dark: POV-Ray seems to
+# pass over what lies nearer to a point than some fixed length.
 ALLOWED = {("lattice", "pov"): 1}
 LONGEST = 1200  # seconds, for one command
 ODD_SCENE = {"camera": {"position": [0, 3, 7], "target": [0, 0, 0]},
