@@ -1,6 +1,8 @@
 // `shadowlab judge`: another renderer's picture held against the truth.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -96,8 +98,26 @@ image::Image errorPicture(const image::Image& picture, const foreign::JudgedPict
     return picture::errorPanel(picture, judged.truth, judged.errors.judgement, {}).picture;
 }
 
+/// The scene with names that a figure can write: there a $ begins a formula.
+scene::Snapshot withoutFormulas(const scene::Snapshot& scene) {
+    auto plain = std::make_shared<scene::Scene>(*scene);
+    for (scene::Light& light : plain->lights)
+        std::ranges::replace(light.name, '$', ' ');
+    for (scene::Object& object : plain->objects)
+        std::ranges::replace(object.name, '$', ' ');
+    return plain;
+}
+
+/// What a section shows, which is of a technique of this program, not of the picture's.
+std::string sectionCaption(ivec2 pixel, const foreign::JudgedPicture& judged) {
+    const bool isLit = judged.found.image.greyAlpha[2 * judged.truth.index(pixel.x, pixel.y)] > 127;
+    return "pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y) + " is " + (isLit ? "lit" : "dark") +
+           " in the picture; the section shows how a technique of this program finds it " + (isLit ? "in shadow" : "lit");
+}
+
 /// The lecture's figure at that pixel, of the technique that shows the cause. Throws Error where there is nothing to draw.
-std::string sectionAt(ivec2 pixel, const scene::Snapshot& scene, int light, const foreign::JudgedPicture& judged) {
+std::string sectionAt(ivec2 pixel, const scene::Snapshot& named, int light, const foreign::JudgedPicture& judged) {
+    const scene::Snapshot scene = withoutFormulas(named);
     const std::string_view technique = foreign::techniqueShowing(judged.diagnosis.causes.empty() ? "" : judged.diagnosis.causes.front().id);
     const picture::Slot slot = picture::Session::makeSlot(technique);
     View view;
@@ -130,6 +150,7 @@ void writeFindings(const JudgeOptions& options, const image::Image& picture, con
         return;
     }
     write("section.svg", document, report.section);
+    report.sectionCaption = sectionCaption(judged.diagnosis.region->firstWrong, judged);
 }
 
 int judgePicture(const JudgeOptions& options) {

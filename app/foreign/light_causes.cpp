@@ -71,7 +71,7 @@ void addBias(const Evidence& evidence, const std::vector<Obstacles>& obstacles, 
     const bool narrow = best.value < 2.5 * metresPerPixel; // no gap that the eye sees, but a line of light
     Cause cause{narrow ? "leak-at-contact" : "peter-panning", "", "", std::move(best.predictions)};
     cause.what = (narrow ? std::string("light leaks in where caster and receiver touch: ")
-                         : std::string("the shadow is detached from its caster (peter-panning): ")) +
+                         : std::string("the shadow is detached from its caster: ")) +
                  shareText(best.explained) + " of the wrong pixels are lit because everything that shades them lies within " + metresText(best.value) +
                  " of them; beyond, shadows are there";
     cause.remedy = "the depth bias, or the offset at which shadow rays start, is about " + metresText(best.value) + "; make it smaller, or let it follow slope and texel";

@@ -179,7 +179,7 @@ void addPatternCauses(const Evidence& evidence, std::vector<Cause>& causes) {
     const auto isLightened = [](const Sample& s) { return s.isLit && s.boundaryPx > kEdgePx; };
     Cause acne{"acne", "", "raise the depth bias, let it grow with the slope and the texel, or leave out the surface that a shadow ray starts on", {}};
     acne.predictions = wherePattern(evidence, [&](const Sample& s) { return isDarkened(s) && patterns.isDispersed(s); });
-    acne.what = "surfaces shadow themselves in a pattern (acne): " + pixelShare(evidence, acne.predictions) +
+    acne.what = "surfaces shadow themselves in a pattern: " + pixelShare(evidence, acne.predictions) +
                 " are false shadow that is mixed with light on all sides, with no caster before them";
     addPattern(evidence, std::move(acne), isDarkened, causes);
 

@@ -172,6 +172,7 @@ std::string judgeText(const JudgeReport& report, std::optional<std::size_t> colu
     if (report.judged) text += "\n" + judgedText(report);
     for (const std::string& file : {report.errorPicture, report.visibilityPicture, report.section})
         if (!file.empty()) text += "written: " + file + "\n";
+    if (!report.sectionCaption.empty()) text += "section: " + report.sectionCaption + "\n";
     if (!report.sectionRemark.empty()) text += "no section: " + report.sectionRemark + "\n";
     return fitting(text, columns);
 }

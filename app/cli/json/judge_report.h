@@ -17,6 +17,7 @@ struct JudgeReport {
     std::optional<foreign::Calibration> calibration;
     std::optional<foreign::JudgedPicture> judged; ///< none: the calibration is wrong
     std::string errorPicture, visibilityPicture, section; ///< written files
+    std::string sectionCaption; ///< what the picture shows at the section's pixel; empty: there is no section
     std::string sectionRemark;                            ///< why there is no section, where one was asked for
 };
 
