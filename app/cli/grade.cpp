@@ -102,7 +102,7 @@ AskedSheet sheetFrom(const std::string& text) {
 /// One file has one such name.
 std::filesystem::path wholeName(const std::filesystem::path& file) {
     std::error_code failed;
-    const std::filesystem::path whole = std::filesystem::weakly_canonical(file, failed);
+    const std::filesystem::path whole = std::filesystem::weakly_canonical(std::filesystem::absolute(file), failed);
     return failed ? file.lexically_normal() : whole;
 }
 

@@ -63,7 +63,7 @@ class Searched:
         one_line(run(self.program, "lesson", lesson), 3, "no technique is called", "add --plugin FILE")
         expect("not from the plug-in" in next(out.glob("*-search.svg")).read_text(), "the figure says of what it is drawn")
         page = next(out.glob("*-sheet.html")).read_text()
-        expect(page.count("data:image/png") >= 2 and "http" not in page and "<script" not in page, "the page stands alone")
+        expect(page.count("data:image/png") >= 2 and "http:" not in page and "https:" not in page and "<script" not in page, "the page stands alone")
         expect(next(out.glob("*-search.svg")).stat().st_size > 1000, "a figure")
 
 
