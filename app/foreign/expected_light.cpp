@@ -20,7 +20,7 @@ ExpectedLight expectedLight(const trace::SceneTracer& tracer, const scene::Camer
     const scene::Scene& scene = tracer.scene();
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     const std::vector<vec3> none(pixels, vec3(0.0f));
-    ExpectedLight expected{none, none, none};
+    ExpectedLight expected{none, none, none, std::vector<std::uint8_t>(pixels, 0), none};
     trace::parallelFor(static_cast<std::size_t>(size.y), [&](std::size_t row) {
         for (int x = 0; x < size.x; ++x) {
             const trace::SurfacePoint point = tracer.eyePoint(rays, dvec2(x, row) + 0.5);
@@ -35,6 +35,7 @@ ExpectedLight expectedLight(const trace::SceneTracer& tracer, const scene::Camer
             dvec3 remaining = dvec3(scene.ambient) * diffuse;
             if (scene::shinesFrom(material, point.eyeOnFront)) remaining += dvec3(material.emission);
             const std::size_t pixel = row * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+            expected.isDull[pixel] = material.specular == vec3(0.0f) ? 1 : 0;
             for (int l = 0; l < static_cast<int>(scene.lights.size()); ++l) {
                 if (!tracer.facesLight(point, l)) continue;
                 const scene::Light& source = scene.light(l);
@@ -47,6 +48,7 @@ ExpectedLight expectedLight(const trace::SceneTracer& tracer, const scene::Camer
                     expected.ofLightFlat[pixel] = vec3(added(flatNormalWorld(tracer, point)));
                 } else {
                     remaining += added(normalWorld);
+                    expected.ofOthers[pixel] += vec3(added(normalWorld));
                 }
             }
             expected.remaining[pixel] = vec3(remaining);

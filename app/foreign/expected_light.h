@@ -14,6 +14,8 @@ namespace shadowlab::foreign {
 struct ExpectedLight {
     std::vector<vec3> ofLight;   ///< that the judged light adds where it is seen
     std::vector<vec3> ofLightFlat; ///< the same with the triangle's own normal, as a program without smooth normals shades it
+    std::vector<vec3> ofOthers;  ///< the part of `remaining` that other lights add
+    std::vector<std::uint8_t> isDull; ///< 1: the surface has no highlight
     std::vector<vec3> remaining; ///< emission, ambient light, and all other lights without shadows
 };
 

@@ -145,7 +145,8 @@ FoundVisibility fromPair(const image::Image& shaded, const image::Image& referen
     std::vector<std::uint8_t> lacks(pixels.size(), 0);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const vec3 least = glm::min(expected.ofLight[i], expected.ofLightFlat[i]);
-        lacks[i] = found.isSame[i] && lacksLight(linearFrom(curve, reference.rgba[image::kChannels * i + 1] / 255.0), least, expected.remaining[i], exposure) ? 1 : 0;
+        const int green = reference.rgba[image::kChannels * i + 1]; // of white, there may be any light more
+        lacks[i] = found.isSame[i] && green < 255 && lacksLight(linearFrom(curve, green / 255.0), least, expected.remaining[i], exposure) ? 1 : 0;
     }
     const std::map<std::uint32_t, bool> lackingObjects = objectsThatLackLight(lacks, truth);
     for (std::size_t i = 0; i < pixels.size(); ++i) {

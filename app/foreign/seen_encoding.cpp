@@ -74,16 +74,27 @@ std::optional<SeenEncoding> wrongEncoding(const std::vector<Brightness>& pixels,
 } // namespace
 
 std::optional<SeenEncoding> wrongEncodingOf(const image::Image& reference, const ExpectedLight& expected) {
-    std::vector<Brightness> seen;
-    for (std::size_t i = 0; i < expected.ofLight.size(); ++i) {
-        const std::uint8_t* const pixel = reference.rgba.data() + image::kChannels * i;
-        const double light = static_cast<double>(expected.ofLight[i].g + expected.remaining[i].g);
-        // Where smooth and flat normals give the same, so that it does not matter which the other program has.
-        constexpr float kAlike = 0.03f;
-        const bool isAlike = std::abs(expected.ofLight[i].g - expected.ofLightFlat[i].g) <= kAlike * expected.ofLight[i].g;
-        if (isAlike && expected.ofLight[i].g > 0 && pixel[1] > 0 && pixel[1] < 255) seen.push_back({light, pixel[1] / 255.0});
-    }
-    return wrongEncoding(seen, ToneCurve::srgb, true);
+    // A program may draw the judged light alone: then the others are not in its reference.
+    const auto seenWith = [&](bool others, bool dullOnly) {
+        std::vector<Brightness> seen;
+        for (std::size_t i = 0; i < expected.ofLight.size(); ++i) {
+            const std::uint8_t* const pixel = reference.rgba.data() + image::kChannels * i;
+            const double light = static_cast<double>(expected.ofLight[i].g + expected.remaining[i].g - (others ? 0.0f : expected.ofOthers[i].g));
+            // Where smooth and flat normals give the same, so that it does not matter which the other program has.
+            constexpr float kAlike = 0.03f;
+            const bool isAlike = std::abs(expected.ofLight[i].g - expected.ofLightFlat[i].g) <= kAlike * expected.ofLight[i].g;
+            const bool counts = !dullOnly || (isAlike && expected.isDull[i] != 0);
+            if (counts && expected.ofLight[i].g > 0 && pixel[1] > 0 && pixel[1] < 255) seen.push_back({light, pixel[1] / 255.0});
+        }
+        return seen;
+    };
+    const auto all = wrongEncoding(seenWith(true, false), ToneCurve::srgb, true);
+    if (all) return all;
+    // sRGB is right if it fits either.
+    const auto alone = wrongEncoding(seenWith(false, true), ToneCurve::srgb, true);
+    constexpr double kFits = 4; // levels, as where another curve is to be believed
+    if (alone && levelsOff(steps(seenWith(true, true)), ToneCurve::srgb, true) > kFits) return alone;
+    return std::nullopt;
 }
 
 std::optional<Orientation> orientationOf(const image::Image& reference, const ExpectedLight& expected, const vec3& background) {

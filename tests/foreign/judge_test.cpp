@@ -275,5 +275,18 @@ TEST(ForeignJudgeTest, ANegatedCoordinateOfTheLightIsSaid) {
     EXPECT_GE(cases, 1);
 }
 
+// Some pixels may fit a rule by chance.
+TEST(ForeignJudgeTest, ACauseOfFewPixelsSaysSo) {
+    const Staged& stage = staged()[0];
+    Settings settings;
+    settings.lightOffset = {0.001, 0, 0};
+    const JudgedPicture judged = judgedVisibility(stage, foreign_renderer::render(stage.own, settings));
+    ASSERT_GE(judged.errors.judgement.counts.wrong(), 1);
+    ASSERT_LT(judged.errors.judgement.counts.wrong(), 10);
+    for (const NamedCause& cause : judged.diagnosis.causes)
+        EXPECT_NE(cause.what.find("this rests on"), std::string::npos) << cause.what;
+    EXPECT_FALSE(judged.diagnosis.causes.empty());
+}
+
 } // namespace
 } // namespace shadowlab::foreign
