@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongestTechniqueName = 40;
 
 // Namespaces that a technique's own would be mixed up with, and words that no namespace can have.
-constexpr std::array kTaken = {"cli",  "context", "course", "drawing", "figures", "film",      "gl",  "glm",
+constexpr std::array kTaken = {"cli",  "context", "course", "drawing", "figures", "film",      "foreign", "gl",  "glm",
                                "hard", "image",   "judge",  "lab",     "look",    "params",    "std", "picture",
                                "report", "scene", "student", "trace",  "window",  "shadowlab"};
 constexpr std::array kWords = {
