@@ -120,6 +120,16 @@ SearchObject anyBody(Dice& dice, const std::string& name, const dvec3& center, d
     }
 }
 
+void addBodies(SearchScene& scene, Dice& dice, double reach, double highest) {
+    const int count = 1 + dice.below(3);
+    for (int i = 0; i < count; ++i) {
+        // anyBody makes none higher than 1.2 times its size.
+        const double size = dice.real(0.5, 1.1);
+        scene.objects.push_back(
+            anyBody(dice, "body" + std::to_string(i + 1), {dice.real(-reach, reach), dice.real(0.61 * size, highest), dice.real(-reach, reach)}, size));
+    }
+}
+
 void lookFromAround(SearchScene& scene, Dice& dice, const dvec3& target, double distance) {
     const double angle = glm::radians(dice.real(-70, 70)), rise = glm::radians(dice.real(25, 50));
     const dvec3 away(std::cos(rise) * std::sin(angle), std::sin(rise), std::cos(rise) * std::cos(angle));
@@ -129,5 +139,16 @@ void lookFromAround(SearchScene& scene, Dice& dice, const dvec3& target, double 
 
 SearchLight lamp(const dvec3& place, double intensity) { return {"lamp", false, place, intensity}; }
 SearchLight sun(const dvec3& travels) { return {"sun", true, travels, 1}; }
+SearchLight anySun(Dice& dice) { return sun({dice.real(-1, 1), -1, dice.real(-1, 1)}); }
+
+SearchScene inTheSun(SearchScene scene, Dice& dice) {
+    scene.lights = {anySun(dice)};
+    return scene;
+}
+
+SearchScene withTheSun(SearchScene scene, Dice& dice) {
+    scene.lights.push_back(anySun(dice));
+    return scene;
+}
 
 } // namespace shadowlab::student

@@ -25,10 +25,19 @@ SearchObject ofMaterial(SearchObject object, const std::string& material);
 /// A box, a pyramid or a star.
 SearchObject anyBody(Dice& dice, const std::string& name, const dvec3& center, double size);
 
+/// One to three of them, each at most `reach` from the middle along x and z, and with its middle at most `highest` above the floor, which none
+/// touches.
+void addBodies(SearchScene& scene, Dice& dice, double reach, double highest);
+
 /// Looks at `target` from a place around it, above the floor.
 void lookFromAround(SearchScene& scene, Dice& dice, const dvec3& target, double distance);
 
 SearchLight lamp(const dvec3& place, double intensity);
 SearchLight sun(const dvec3& travels);
+/// From anywhere above.
+SearchLight anySun(Dice& dice);
+/// The scene with such a sun in place of its lights, and beside them.
+SearchScene inTheSun(SearchScene scene, Dice& dice);
+SearchScene withTheSun(SearchScene scene, Dice& dice);
 
 } // namespace shadowlab::student

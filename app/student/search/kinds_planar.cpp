@@ -8,7 +8,7 @@ namespace planar_scenes {
 namespace {
 
 /// One to three bodies that stand on the floor, or hang above it.
-void addBodies(SearchScene& scene, Dice& dice) {
+void addStandingOrHanging(SearchScene& scene, Dice& dice) {
     const int count = 1 + dice.below(3);
     for (int i = 0; i < count; ++i) {
         const double size = dice.real(0.5, 1.1), rise = dice.chance(0.5) ? 0.61 * size : dice.real(0.9, 1.4);
@@ -19,17 +19,13 @@ void addBodies(SearchScene& scene, Dice& dice) {
 SearchScene underALamp(Dice& dice) {
     SearchScene scene;
     scene.objects.push_back(floorOf(20));
-    addBodies(scene, dice);
+    addStandingOrHanging(scene, dice);
     scene.lights = {lamp(dice.place({-2.5, 3.2, -2}, {2.5, 4.5, 2.5}), 40)};
     lookFromAround(scene, dice, {0, 0.4, 0}, dice.real(3.3, 4.9));
     return scene;
 }
 
-SearchScene underTheSun(Dice& dice) {
-    SearchScene scene = underALamp(dice);
-    scene.lights = {sun({dice.real(-1, 1), -1, dice.real(-1, 1)})};
-    return scene;
-}
+SearchScene underTheSun(Dice& dice) { return inTheSun(underALamp(dice), dice); }
 
 SearchScene aboveTheLamp(Dice& dice) {
     SearchScene scene;
@@ -91,7 +87,7 @@ SearchScene sheets(Dice& dice) {
     const double angle = dice.real(0, 3);
     scene.objects.push_back(ofMaterial(
         sheet("screen", {0, 0.7, 0}, {1.6 * std::cos(angle), 0, 1.6 * std::sin(angle)}, {0, 1.2, dice.real(-0.5, 0.5)}), "accent"));
-    if (dice.chance(0.5)) scene.lights = {sun({dice.real(-1, 1), -1, dice.real(-1, 1)})};
+    if (dice.chance(0.5)) scene.lights = {anySun(dice)};
     else scene.lights = {lamp(dice.place({-2, 2.4, -2}, {2, 3.4, 2}), 30)};
     lookFromAround(scene, dice, {0, 0.4, 0}, 3.5);
     return scene;
@@ -106,11 +102,7 @@ SearchScene farAway(Dice& dice) {
     return scene;
 }
 
-SearchScene twoLights(Dice& dice) {
-    SearchScene scene = underALamp(dice);
-    scene.lights.push_back(sun({dice.real(-1, 1), -1, dice.real(-1, 1)}));
-    return scene;
-}
+SearchScene twoLights(Dice& dice) { return withTheSun(underALamp(dice), dice); }
 
 } // namespace
 } // namespace planar_scenes

@@ -17,22 +17,13 @@ SearchObject bareFloor(double side) {
 SearchScene underALamp(Dice& dice) {
     SearchScene scene;
     scene.objects.push_back(bareFloor(20));
-    const int count = 1 + dice.below(3);
-    for (int i = 0; i < count; ++i) {
-        const double size = dice.real(0.5, 1.1);
-        scene.objects.push_back(
-            anyBody(dice, "body" + std::to_string(i + 1), {dice.real(-1, 1), dice.real(0.61 * size, 1.3), dice.real(-1, 1)}, size));
-    }
+    addBodies(scene, dice, 1, 1.3);
     scene.lights = {lamp(dice.place({-2.5, 3.4, -2}, {2.5, 4.5, 2.5}), 40)};
     lookFromAround(scene, dice, {0, 0.4, 0}, dice.real(3.0, 4.2));
     return scene;
 }
 
-SearchScene underTheSun(Dice& dice) {
-    SearchScene scene = underALamp(dice);
-    scene.lights = {sun({dice.real(-1, 1), -1, dice.real(-1, 1)})};
-    return scene;
-}
+SearchScene underTheSun(Dice& dice) { return inTheSun(underALamp(dice), dice); }
 
 SearchScene grazed(Dice& dice) {
     SearchScene scene;
@@ -109,11 +100,7 @@ SearchScene aDistantLamp(Dice& dice) {
     return scene;
 }
 
-SearchScene twoLights(Dice& dice) {
-    SearchScene scene = underALamp(dice);
-    scene.lights.push_back(sun({dice.real(-1, 1), -1, dice.real(-1, 1)}));
-    return scene;
-}
+SearchScene twoLights(Dice& dice) { return withTheSun(underALamp(dice), dice); }
 
 } // namespace
 } // namespace shadow_map_scenes
