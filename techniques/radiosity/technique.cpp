@@ -22,12 +22,9 @@
 #include "techniques/radiosity/display/pixel_picture.h"
 #include "techniques/radiosity/display/stages.h"
 #include "techniques/radiosity/display/surface_picture.h"
-#include "techniques/radiosity/equations/light_balance.h"
-#include "techniques/radiosity/exchange/hemicube_exchange.h"
-#include "techniques/radiosity/lights/lamp_cover.h"
 #include "techniques/radiosity/params.h"
 #include "techniques/radiosity/probe.h"
-#include "techniques/radiosity/room_cache.h"
+#include "techniques/radiosity/solution.h"
 
 namespace shadowlab::radiosity {
 
@@ -39,21 +36,20 @@ public:
 
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
         if (params_.showsPixels()) return {}; // direct light can be drawn before there are patches
-        if (!cache_.advance(snapshot, params_, deadline)) return {cache_.done(), false};
+        if (!solution_.advanceRoom(snapshot, params_, deadline)) return {solution_.done(), false};
         return {};
     }
 
     Progress render(Frame& frame) override {
         // Direct light first: until the room is prepared it is all there is to show.
         std::optional<DirectShown> found = params_.showsPixels() ? advanceDirect(frame, frame.deadline()) : std::nullopt;
-        if (!cache_.advance(frame.snapshot(), params_, frame.deadline())) return drawBeforehand(frame, found, cache_.done());
-        if (!cache_.hasFormFactors() && !drawFormFactors(frame.deadline()))
-            return drawBeforehand(frame, found, 0.9 * hemicubes_->done());
-        if (uploadedRoom_ != cache_.version()) picture_.setCells(cache_.cells());
-        uploadedRoom_ = cache_.version();
-        restartIfChanged(frame.snapshot());
+        if (!solution_.advanceRoom(frame.snapshot(), params_, frame.deadline()) || !solution_.advanceDrawnFormFactors(params_, frame.deadline()))
+            return drawBeforehand(frame, found, solution_.done());
+        if (uploadedRoom_ != solution_.cache().version()) picture_.setCells(solution_.cache().cells());
+        uploadedRoom_ = solution_.cache().version();
+        solution_.restartIfChanged(frame.snapshot(), params_);
         const Deadline deadline = std::max(frame.deadline(), std::chrono::steady_clock::now() + kLeastWork);
-        const bool isSolved = advanceSolver(static_cast<std::size_t>(params_.stepsPerPicture), deadline);
+        const bool isSolved = solution_.advanceSolver(params_, static_cast<std::size_t>(params_.stepsPerPicture), deadline);
         if (!found || found->isPreview) found = advanceDirect(frame, deadline);
         const DirectShown direct = found.value_or(DirectShown()); // until then that of the patches
         const bool isDirectComplete = found && !found->isPreview;
@@ -61,9 +57,10 @@ public:
         const bool isGathered = mayGather ? advanceGather(frame, deadline) : !params_.gathers();
         const bool isFinished = isSolved && isDirectComplete && isGathered;
         if (!isFinished && !isNew(frame, direct, mayGather)) return {0.95, false};
-        Showing showing{frame, cache_, sources_, balance_, picture_, params_, std::nullopt};
+        Showing showing{frame, solution_.cache(), solution_.sources(), solution_.balance(), picture_, params_, std::nullopt};
         if (isSolved)
-            showing.patchError = patchError_.share(cache_, sources_, balance_, params_.showsPixels(), frame.view().camera.positionWorld);
+            showing.patchError = patchError_.share(solution_.cache(), solution_.sources(), solution_.balance(), params_.showsPixels(),
+                                                   frame.view().camera.positionWorld);
 
         frame.pass(passInfo(kPasses, "patches"), [&] { clear(frame); });
         frame.pass(passInfo(kPasses, "form-factors"), [&] { clear(frame); });
@@ -92,22 +89,6 @@ public:
     std::string remark(const scene::MeshReport& report, const scene::Mesh& mesh) const override;
 
 private:
-    /// What the solution depends on: while it is equal, solving continues where it was.
-    struct SolutionCacheKey {
-        std::uint64_t room = 0;
-        scene::Revisions revisions{0, 0, 0, 0};
-        SolverKind solver = SolverKind::direct;
-        double tolerance = 0;
-        int steps = 0, stepsPerPicture = 0;
-        bool ambientTerm = true;
-        RadiosityParams::Surroundings surroundings{};
-        friend bool operator==(const SolutionCacheKey&, const SolutionCacheKey&) = default;
-    };
-    struct HemicubeCacheKey {
-        std::uint64_t room = 0;
-        int side = 0;
-        friend bool operator==(const HemicubeCacheKey&, const HemicubeCacheKey&) = default;
-    };
     /// What the irradiance on the graphics card was made from.
     struct ShownCacheKey {
         std::uint64_t solution = 0, map = 0;
@@ -124,44 +105,6 @@ private:
         RadiosityParams params;
         friend bool operator==(const DrawnCacheKey&, const DrawnCacheKey&) = default;
     };
-
-    /// Form factors by hemicubes need the graphics card, so they are drawn here and not in prepare(). True when all are there.
-    bool drawFormFactors(Deadline deadline) {
-        const HemicubeCacheKey key{cache_.version(), params_.hemicubeSide};
-        if (!hemicubes_ || hemicubesKey_ != key)
-            hemicubes_ = std::make_unique<HemicubeExchange>(cache_.room().patches(), params_.hemicubeSide);
-        hemicubesKey_ = key;
-        if (!hemicubes_->advance(deadline)) return false;
-        cache_.setDrawnFormFactors(hemicubes_->take(), params_.hemicubeSide);
-        hemicubes_.reset();
-        return true;
-    }
-
-    /// The radiance where a patch sees no surface.
-    [[nodiscard]] dvec3 outside(const scene::Scene& scene) const {
-        using enum RadiosityParams::Surroundings;
-        return dvec3(params_.surroundings == background ? scene.background
-                     : params_.surroundings == ambient  ? scene.ambient
-                                                        : vec3(0.0f));
-    }
-
-    void restartIfChanged(const scene::Snapshot& snapshot) {
-        const SolutionCacheKey key{cache_.version(),    snapshot->revisions, params_.solver,
-                                   params_.tolerance,   params_.steps,       params_.stepsPerPicture,
-                                   params_.ambientTerm, params_.surroundings};
-        if (key == solutionKey_) return;
-        solutionKey_ = key;
-        sources_ = sourcesOf(cache_.room(), cache_.lights(), outside(*snapshot));
-        for (std::size_t i = 0; i < sources_.size(); ++i)
-            sources_.reflectance[i] *= 1 - coveredByLamps(cache_.room().allPatches()[i], snapshot->lights, cache_.room().world().originWorld);
-        emitters_ = Emitters(cache_.room(), sources_);
-        balance_.restart(cache_.exchange(), sources_, params_.solver, params_.ambientTerm);
-    }
-
-    /// True when the equations are solved, or parameter `steps` is reached. At most `most` steps (0: any number).
-    bool advanceSolver(std::size_t most, Deadline deadline) {
-        return balance_.advance({params_.tolerance, static_cast<std::size_t>(params_.steps)}, most, deadline);
-    }
 
     /// A picture for as long as form factors are still being found: the scene's ambient light, as an estimate of all that is reflected,
     /// and direct light, once the pixels have it.
@@ -188,7 +131,7 @@ private:
             return DirectShown{&pixels_, nullptr, !isComplete};
         }
         if (params_.direct == RadiosityParams::Direct::lightMap) {
-            if (!lightMap_.advance(frame.snapshot(), cache_, static_cast<std::size_t>(params_.lightMapPoints), deadline))
+            if (!lightMap_.advance(frame.snapshot(), solution_.cache(), static_cast<std::size_t>(params_.lightMapPoints), deadline))
                 return std::nullopt;
             return DirectShown{nullptr, &lightMap_, false};
         }
@@ -202,7 +145,7 @@ private:
                           trace::SeenFrom(frame.scene(), view.camera, view.size),
                           view.region,
                           uploadedRoom_,
-                          balance_.version(),
+                          solution_.balance().version(),
                           direct.map ? lightMap_.version() : 0,
                           pixels_.version(),
                           direct.pixels != nullptr,
@@ -232,25 +175,27 @@ private:
     /// Emission, and what of the first `lights` lights is reflected once. Seen only where the frame stops after this pass.
     void drawLitBy(const Showing& showing, int lights) const {
         if (!showing.frame.stopsAfter()) return;
-        std::vector<dvec3> radiosity = sources_.emission;
+        std::vector<dvec3> radiosity = solution_.sources().emission;
         for (int light = 0; light < lights; ++light)
             for (std::size_t i = 0; i < radiosity.size(); ++i)
-                radiosity[i] += sources_.reflectance[i] * cache_.light(light).irradiance[i];
+                radiosity[i] += solution_.sources().reflectance[i] * solution_.cache().light(light).irradiance[i];
         showing.draw(radiosity, false);
     }
 
     /// One value per patch. Pass `display` draws over it, unless the frame stops here.
     void drawSolution(const Showing& showing) const {
-        if (showing.frame.stopsAfter() || params_.isFlat()) showing.draw(balance_.radiosity(), false);
+        if (showing.frame.stopsAfter() || params_.isFlat()) showing.draw(solution_.balance().radiosity(), false);
     }
 
     /// True when all rays are sent, or the frame stops before what they gather is shown.
     bool advanceGather(const Frame& frame, Deadline deadline) {
         if (frame.stopsAfter() && frame.stopsAfter()->id != "display" && frame.stopsAfter()->id != "direct") return true;
-        std::vector<dvec3> reflected = balance_.irradianceShown();
+        std::vector<dvec3> reflected = solution_.balance().irradianceShown();
         for (std::size_t i = 0; i < reflected.size(); ++i)
-            reflected[i] -= sources_.fromLights[i];
-        const GatherSolution solution{cache_, sources_, emitters_, reflected, outside(*frame.snapshot()), balance_.version()};
+            reflected[i] -= solution_.sources().fromLights[i];
+        const GatherSolution solution{solution_.cache(),     solution_.sources(),
+                                      solution_.emitters(),  reflected,
+                                      radianceOutside(*frame.snapshot(), params_), solution_.balance().version()};
         const auto rays = static_cast<std::size_t>(params_.gatherSamples);
         if (params_.gather == RadiosityParams::Gather::pixels) return pixels_.advanceGather(solution, rays, deadline);
         return pixels_.advanceSharedGather(solution, rays, deadline);
@@ -264,7 +209,7 @@ private:
 
     /// The irradiance stays on the graphics card while only the eye moves.
     void drawSmooth(const Showing& showing, const DirectShown& direct) {
-        const ShownCacheKey key{balance_.version(), direct.map ? lightMap_.version() : 0, !direct.pixels};
+        const ShownCacheKey key{solution_.balance().version(), direct.map ? lightMap_.version() : 0, !direct.pixels};
         if (!shown_ || shownKey_ != key) shown_ = showing.shown(direct);
         shownKey_ = key;
         showing.drawSmooth(*shown_);
@@ -275,14 +220,8 @@ private:
 
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     RadiosityParams params_;
-    RoomCache cache_;
-    std::unique_ptr<HemicubeExchange> hemicubes_; ///< while form factors are being drawn
-    HemicubeCacheKey hemicubesKey_;
-    SolutionCacheKey solutionKey_;
+    Solution solution_;
     PatchError patchError_;
-    Sources sources_;
-    Emitters emitters_;
-    LightBalance balance_;
     LightMap lightMap_;
     SurfacePicture picture_;
     PixelPicture pixels_;
@@ -294,21 +233,21 @@ private:
 
 Probe Radiosity::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
     Probe probe = Technique::probe(snapshot, view, pixel, light);
-    cache_.advance(snapshot, params_, Deadline::max());
+    solution_.advanceRoom(snapshot, params_, Deadline::max());
     if (!exactJudge(snapshot)->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size)) return probe;
-    if (!cache_.hasFormFactors()) {
+    if (!solution_.cache().hasFormFactors()) {
         probe.facts.push_back(
             {"form factors", "drawn with the first picture; known without one with form-factors=analytic", ""});
         return probe;
     }
-    restartIfChanged(snapshot);
-    if (params_.stepsPerPicture == 0) advanceSolver(0, Deadline::max());
-    const auto patch = patchSeen(cache_, snapshot, view, pixel);
+    solution_.restartIfChanged(snapshot, params_);
+    if (params_.stepsPerPicture == 0) solution_.advanceSolver(params_, 0, Deadline::max());
+    const auto patch = patchSeen(solution_.cache(), snapshot, view, pixel);
     if (!patch) {
         probe.facts.push_back({"patch", "none: a light, or the inside of a closed body", ""});
         return probe;
     }
-    describePatch(cache_, sources_, balance_, *patch, light, partnerOf(*patch, snapshot, view), probe);
+    describePatch(solution_.cache(), solution_.sources(), solution_.balance(), *patch, light, partnerOf(*patch, snapshot, view), probe);
     if (view.partner && !probe.find<PatchExchange>()->k)
         probe.facts.push_back(
             {"k: the other patch", "none: the second pixel shows no other patch to exchange light with", ""});
@@ -318,9 +257,9 @@ Probe Radiosity::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
 /// The patch that the second pixel shows; without one, parameter `to-patch`, or the patch that sends the most light.
 std::optional<std::uint32_t> Radiosity::partnerOf(std::uint32_t patch, const scene::Snapshot& snapshot,
                                                   const View& view) const {
-    if (view.partner) return patchSeen(cache_, snapshot, view, *view.partner);
+    if (view.partner) return patchSeen(solution_.cache(), snapshot, view, *view.partner);
     if (params_.toPatch >= 0) return static_cast<std::uint32_t>(params_.toPatch);
-    return patch < cache_.room().patches().size() ? brightestGiver(cache_, balance_, patch) : std::nullopt;
+    return patch < solution_.cache().room().patches().size() ? brightestGiver(solution_.cache(), solution_.balance(), patch) : std::nullopt;
 }
 
 std::string Radiosity::remark(const scene::MeshReport& report, const scene::Mesh& mesh) const {
