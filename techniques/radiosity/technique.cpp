@@ -151,7 +151,11 @@ private:
                           direct.pixels != nullptr,
                           mayGather && pixels_.hasGathered(),
                           params_};
-        const bool isNew = !frame.wantsOnlyPicture() || !drawnKey_ || key != *drawnKey_;
+        if (!frame.wantsOnlyPicture()) { // the target may then hold a part of the picture
+            drawnKey_.reset();
+            return true;
+        }
+        const bool isNew = !drawnKey_ || key != *drawnKey_;
         drawnKey_ = std::move(key);
         return isNew;
     }

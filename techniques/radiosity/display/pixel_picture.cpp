@@ -19,8 +19,7 @@ gl::Texture2D uploaded(GLenum internalFormat, GLenum format, ivec2 size, const v
 
 bool PixelPicture::advanceDirect(const scene::Snapshot& snapshot, const View& view, Deadline deadline) {
     const bool isComplete = direct_.advance(snapshot, view, deadline);
-    hasDirect_ = isComplete || direct_.hasPreview();
-    if (!hasDirect_) return false;
+    if (!direct_.hasPreview()) return false;
     static_assert(sizeof(PixelLight::Share) == 2 * sizeof(float));
     shares_.resize(snapshot->lights.size());
     for (int light = 0; light < static_cast<int>(snapshot->lights.size()); ++light)

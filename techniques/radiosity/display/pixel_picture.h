@@ -17,7 +17,7 @@ public:
     /// Finds the direct light. True when it is complete.
     bool advanceDirect(const scene::Snapshot& snapshot, const View& view, Deadline deadline);
     /// Can direct light be shown? Before it is complete, that of lights with an area comes from their centres.
-    [[nodiscard]] bool hasDirect() const { return hasDirect_; }
+    [[nodiscard]] bool hasDirect() const { return direct_.hasPreview(); }
     /// Gathers for each pixel, once direct light is complete. True when each has sent so many rays.
     bool advanceGather(const GatherSolution& solution, std::size_t rays, Deadline deadline);
     /// Gathers for some pixels, and shares. True when all have their irradiance.
@@ -53,7 +53,6 @@ private:
     };
     GatheredVersion gathered_;
     bool hasGathered_ = false;
-    bool hasDirect_ = false;
     std::uint64_t version_ = 0;
     /// The direct light of a light on the graphics card.
     struct UploadedShares {

@@ -18,11 +18,20 @@ FrameRequest slice() {
     return request;
 }
 
-TEST_F(RadiositySlicesTest, WhatHasNotChangedIsNotDrawnAgain) {
-    const scene::Snapshot scene = scene::loadScene("cornell-room", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
+scene::Snapshot cornellRoom() {
+    return scene::loadScene("cornell-room", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
+}
+
+View viewOf(const scene::Snapshot& scene) {
     View view;
     view.camera = scene->camera;
     view.size = {160, 90};
+    return view;
+}
+
+TEST_F(RadiositySlicesTest, WhatHasNotChangedIsNotDrawnAgain) {
+    const scene::Snapshot scene = cornellRoom();
+    View view = viewOf(scene);
     picture::Session session(scene);
     picture::Slot slices = picture::Session::makeSlot("radiosity"), whole = picture::Session::makeSlot("radiosity");
     int frames = 0, drawn = 0;
@@ -45,6 +54,28 @@ TEST_F(RadiositySlicesTest, WhatHasNotChangedIsNotDrawnAgain) {
     EXPECT_FALSE(session.render(slices, view, asking).result.passes.empty());
     view.camera.positionWorld.x += 0.05;
     EXPECT_FALSE(session.render(slices, view, slice()).result.passes.empty());
+}
+
+// In the middle of the work a picture that ends after a pass is drawn into the same target: the whole one has to be drawn again over it.
+TEST_F(RadiositySlicesTest, AfterAPartOfThePictureTheWholeIsDrawnAgain) {
+    const scene::Snapshot scene = cornellRoom();
+    const View view = viewOf(scene);
+    picture::Session session(scene);
+    picture::Slot slot = picture::Session::makeSlot("radiosity");
+    bool hasDirect = false;
+    for (int notDrawn = 0; !hasDirect || notDrawn < 3;) {
+        const picture::RenderedFrame frame = session.render(slot, view, slice());
+        ASSERT_FALSE(frame.converged) << "there is work left while pixels gather";
+        for (const StageKey& pass : frame.result.passes)
+            hasDirect = hasDirect || pass.id == "direct";
+        notDrawn = frame.result.passes.empty() ? notDrawn + 1 : 0;
+    }
+    const std::vector<vec4> before = gl::readTexels(slot.target.color);
+    FrameRequest asking = slice();
+    asking.stopAfter = StageKey{"display"};
+    session.render(slot, view, asking);
+    EXPECT_NE(gl::readTexels(slot.target.color), before) << "without direct light";
+    EXPECT_FALSE(session.render(slot, view, slice()).result.passes.empty());
 }
 
 } // namespace
