@@ -33,6 +33,15 @@ constexpr double kSeesNothing = 1e30;
 
 // Pieces of work of a thread.
 constexpr std::size_t kPiece = 16;
+std::size_t piecesOf(std::size_t count) { return (count + kPiece - 1) / kPiece; }
+
+/// Work on one of `count` things, as work on a piece of them.
+auto inPieces(std::size_t count, const auto& work) {
+    return [count, &work](std::size_t piece) {
+        for (std::size_t i = piece * kPiece; i < std::min(count, (piece + 1) * kPiece); ++i)
+            work(i);
+    };
+}
 
 /// R, metres: what emitters bring, as much as it is of all, changes with the distance to them.
 double rangeOf(const Gathered& sum) {
@@ -89,11 +98,9 @@ bool SharedGather::advance(const GatherSolution& solution, const PixelLight& lig
         restart(light);
     }
     while (!open_.empty()) {
-        const std::size_t first = records_.size() - gathering_.size(), pieces = (gathering_.size() + kPiece - 1) / kPiece;
-        nextPiece_ = trace::parallelUntil(deadline, nextPiece_, pieces, [&](std::size_t piece) {
-            for (std::size_t i = piece * kPiece; i < std::min(gathering_.size(), (piece + 1) * kPiece); ++i)
-                records_[first + i] = recordAt(solution, light, gathering_[i]);
-        });
+        const std::size_t first = records_.size() - gathering_.size(), pieces = piecesOf(gathering_.size());
+        const auto gatherOne = [&](std::size_t i) { records_[first + i] = recordAt(solution, light, gathering_[i]); };
+        nextPiece_ = trace::parallelUntil(deadline, nextPiece_, pieces, inPieces(gathering_.size(), gatherOne));
         if (nextPiece_ < pieces) return false;
         share(light);
         spacing_ = std::max(1, spacing_ / 2);
@@ -141,13 +148,12 @@ SharedGather::Record SharedGather::recordAt(const GatherSolution& solution, cons
 void SharedGather::share(const PixelLight& light) {
     const ivec2 size = key_.seenFrom.size;
     std::vector<std::uint8_t> isDone(open_.size());
-    trace::parallelFor((open_.size() + kPiece - 1) / kPiece, [&](std::size_t piece) {
-        for (std::size_t i = piece * kPiece; i < std::min(open_.size(), (piece + 1) * kPiece); ++i) {
-            dvec3 irradiance(0);
-            isDone[i] = takeOver(light, open_[i], irradiance);
-            if (isDone[i]) irradianceFromBelow_[indexOf({open_[i].x, size.y - 1 - open_[i].y})] = vec4(vec3(irradiance), 1.0f);
-        }
-    });
+    const auto shareOne = [&](std::size_t i) {
+        dvec3 irradiance(0);
+        isDone[i] = takeOver(light, open_[i], irradiance);
+        if (isDone[i]) irradianceFromBelow_[indexOf({open_[i].x, size.y - 1 - open_[i].y})] = vec4(vec3(irradiance), 1.0f);
+    };
+    trace::parallelFor(piecesOf(open_.size()), inPieces(open_.size(), shareOne));
     std::size_t next = 0;
     std::erase_if(open_, [&](const ivec2&) { return isDone[next++] != 0; });
 }
