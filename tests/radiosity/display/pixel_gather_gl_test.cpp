@@ -199,6 +199,7 @@ TEST_F(RadiosityGatherTest, ComesNearerToPathsFollowedByChance) {
     };
     const double interpolated = difference("gather=none"), gathered = difference("gather=pixels");
     EXPECT_LT(gathered, 0.02) << "the bound for rooms; half a hundredth of it is the scatter of paths";
+    // Found: 0.0093 and 0.0142. Both hold the scatter of the paths, so their ratio cannot be that of the errors alone.
     EXPECT_LT(gathered, 0.85 * interpolated) << interpolated;
     EXPECT_LT(difference("gather=shared"), 0.02);
 }
