@@ -206,8 +206,7 @@ student::SearchReport searchedFor(const GradeOptions& options, const student::Sh
     student::SceneTrials trials(sheet.candidate, *sheet.family, conditions);
     Progress progress("scene", options.search->scenes);
     const student::SearchResult result = student::search(trials, *options.search, [&](int count) { progress.done(count); });
-    student::SearchReport report{options.search->scenes, result.tried,       result.unfair, options.search->seed,
-                                 result.seconds,         result.isOutOfTime, std::nullopt};
+    student::SearchReport report{options.search->scenes, result.tried, result.unfair, options.search->seed, result.isOutOfTime, std::nullopt};
     if (!result.finding) return report;
     const student::Finding& finding = *result.finding;
     const std::string stem = sheet.candidate.technique + "-search";

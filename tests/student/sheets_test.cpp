@@ -34,7 +34,7 @@ Sheet someSheet() {
 }
 
 SearchReport someReport() {
-    SearchReport report{60, 3, 1, 5, 1.5, false, FoundScene{}};
+    SearchReport report{60, 3, 1, 5, false, FoundScene{}};
     report.found->idea = "a body that is sunk into the floor";
     report.found->sentence = "Two triangles and a lamp: here your shadow is missing.";
     report.found->blanks = {4};
