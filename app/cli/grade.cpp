@@ -6,7 +6,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "app/cli/command.h"
@@ -15,6 +14,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
 #include "app/cli/progress.h"
+#include "app/cli/same_file.h"
 #include "app/context/context.h"
 #include "app/student/grading/child_program.h"
 #include "app/student/grading/grader.h"
@@ -99,20 +99,13 @@ AskedSheet sheetFrom(const std::string& text) {
     return {choiceFrom("--sheet", text.substr(0, colon), names), text.substr(colon + 1)};
 }
 
-/// One file has one such name.
-std::filesystem::path wholeName(const std::filesystem::path& file) {
-    std::error_code failed;
-    const std::filesystem::path whole = std::filesystem::weakly_canonical(std::filesystem::absolute(file), failed);
-    return failed ? file.lexically_normal() : whole;
-}
-
 std::vector<AskedSheet> sheetsFrom(const GivenOptions& given) {
     std::vector<AskedSheet> sheets;
     for (const std::string& text : given.texts("--sheet"))
         sheets.push_back(sheetFrom(text));
     for (std::size_t i = 0; i < sheets.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            if (sheets[i].file != "-" && wholeName(sheets[i].file) == wholeName(sheets[j].file))
+            if (sheets[i].file != "-" && isSameFile(sheets[i].file, sheets[j].file))
                 refuseUsage("--sheet: two sheets are to be written to " + sheets[i].file.string() + "; give each a file of its own");
     const auto shown = std::ranges::count(sheets, std::filesystem::path("-"), &AskedSheet::file) + (given.has("--json") ? 1 : 0);
     if (shown > 1) refuseUsage("--sheet: standard output can take one sheet; write the others, or --json, to a file or leave them out");
@@ -213,8 +206,7 @@ student::SearchReport searchedFor(const GradeOptions& options, const student::Sh
     student::SceneTrials trials(sheet.candidate, *sheet.family, conditions);
     Progress progress("scene", options.search->scenes);
     const student::SearchResult result = student::search(trials, *options.search, [&](int count) { progress.done(count); });
-    student::SearchReport report{options.search->scenes, result.tried,       result.unfair, options.search->seed,
-                                 result.seconds,         result.isOutOfTime, std::nullopt};
+    student::SearchReport report{options.search->scenes, result.tried, result.unfair, options.search->seed, result.isOutOfTime, std::nullopt};
     if (!result.finding) return report;
     const student::Finding& finding = *result.finding;
     const std::string stem = sheet.candidate.technique + "-search";

@@ -25,6 +25,10 @@ Region shownPart(const Region& region, ivec2 size) {
     return {corner, glm::max(end - corner, ivec2(0))};
 }
 
+bool isWrong(Verdict verdict) {
+    return verdict == Verdict::falseLit || verdict == Verdict::falseShadow || verdict == Verdict::stray;
+}
+
 Judgement judge(const Truth& truth, std::span<const std::uint8_t> greyAlpha, const Region& region) {
     const auto [corner, size] = shownPart(region, truth.size);
     if (greyAlpha.size() != 2 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y))

@@ -19,6 +19,9 @@ enum class Verdict : std::uint8_t {
     stray,       ///< a surface where there is none
 };
 
+/// A pixel that counts against the technique: lit or dark where it should be the other, or a surface where there is none.
+bool isWrong(Verdict verdict);
+
 struct Counts {
     int pixels = 0; ///< with a surface: lit + shadowed + turnedAway + ties
     int lit = 0, shadowed = 0, turnedAway = 0, ties = 0;

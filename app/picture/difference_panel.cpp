@@ -17,10 +17,6 @@ using judge::Verdict;
 // The same ground as under errors (verdict_panels): dark things are lifted, so that colours on them are seen.
 constexpr float kDarkestGround = 0.3f;
 
-bool isWrong(Verdict verdict) {
-    return verdict == Verdict::falseLit || verdict == Verdict::falseShadow || verdict == Verdict::stray;
-}
-
 } // namespace
 
 Panel differencePanel(image::Image ground, const std::array<const judge::Judgement*, 2>& judgements,
@@ -38,13 +34,13 @@ Panel differencePanel(image::Image ground, const std::array<const judge::Judgeme
                                         {look::kStray, "both wrong"}}};
     const auto meaningAt = [&](std::size_t pixel) -> Meaning& {
         const std::array<Verdict, 2> verdicts = {judgements[0]->verdicts[pixel], judgements[1]->verdicts[pixel]};
-        const std::size_t slot = isWrong(verdicts[0]) ? 0 : 1;
-        if (slot == 0 && isWrong(verdicts[1])) return meanings[4];
+        const std::size_t slot = judge::isWrong(verdicts[0]) ? 0 : 1;
+        if (slot == 0 && judge::isWrong(verdicts[1])) return meanings[4];
         return meanings[verdicts[slot] == Verdict::falseShadow ? 2 * slot + 1 : 2 * slot];
     };
     std::vector<std::uint8_t> isMarked(judgements[0]->verdicts.size());
     for (std::size_t i = 0; i < isMarked.size(); ++i) {
-        isMarked[i] = isWrong(judgements[0]->verdicts[i]) || isWrong(judgements[1]->verdicts[i]);
+        isMarked[i] = judge::isWrong(judgements[0]->verdicts[i]) || judge::isWrong(judgements[1]->verdicts[i]);
         if (isMarked[i]) ++meaningAt(i).pixels;
     }
     const WrongMarks marks = wrongMarks(isMarked, {ground.width, ground.height}, markWidth);

@@ -37,10 +37,6 @@ Color8 colorOf(Verdict verdict, trace::Visibility visibility) {
     return kBackground;
 }
 
-bool isWrong(Verdict verdict) {
-    return verdict == Verdict::falseLit || verdict == Verdict::falseShadow || verdict == Verdict::stray;
-}
-
 int factorFor(int from, int to) { return std::max(1, from / to); }
 
 } // namespace
@@ -70,7 +66,7 @@ Image errorMap(const judge::Truth& truth, const judge::Judgement& judgement, int
             std::size_t shown = truth.index(x * factor + factor / 2, y * factor + factor / 2);
             for (int k = 0; k < factor * factor; ++k)
                 if (const std::size_t pixel = truth.index(x * factor + k % factor, y * factor + k / factor);
-                    isWrong(judgement.verdicts[pixel]))
+                    judge::isWrong(judgement.verdicts[pixel]))
                     shown = pixel;
             map.set(x, y, colorOf(judgement.verdicts[shown], truth.visibility[shown]));
         }

@@ -69,11 +69,11 @@ def build(folder, prefix, *options, targets=()):
     return succeed("cmake", "--build", folder / "build", "-j", "2", *(("--target", *targets) if targets else ()), limit=300).out
 
 
-def grade(program, plugin, *options):
-    """The score sheet, as JSON, and the exit status."""
-    result = run(program, "grade", "--plugin", plugin, "--json", *options, limit=300)
+def grade(program, plugin, *options, limit=300):
+    """The score sheet, as JSON, and the result of the command."""
+    result = run(program, "grade", "--plugin", plugin, "--json", *options, limit=limit)
     expect(result.status in (0, 1), str(result))
-    return json.loads(result.out), result.status
+    return json.loads(result.out), result
 
 
 def install(build_folder, prefix):

@@ -5,7 +5,6 @@ these are built from what was installed alone, loaded, and graded. plugins_check
 With SHADOWLAB_LONG every skeleton is filled in, and every typical mistake has to cost marks; without, one of them.
 """
 # SPDX-License-Identifier: MIT
-import json
 import os
 import re
 import shutil
@@ -30,10 +29,10 @@ def pixels_of(png):
     return pixels
 
 
-def misbehaving(program, *words, behaviour):
+def misbehaving(program, *words, behaviour, do=run):
     os.environ["SHADOWLAB_MISBEHAVIOUR"] = behaviour
     try:
-        return run(program, *words)
+        return do(program, *words)
     finally:
         del os.environ["SHADOWLAB_MISBEHAVIOUR"]
 
@@ -112,6 +111,8 @@ def check_plugin_is_everywhere(program, place, plugin):
     one_line(run(program, "grade", "--plugin", plugin), 2, "--family")
     one_line(run(program, "grade"), 2, "--plugin is missing")
     one_line(run(program, "grade", "--plugin", plugin, "--sheet", "html:a.html", "--sheet", "text:./a.html"), 2, "two sheets", "a.html")
+    nowhere = ["--sheet", "html:/dev/null", "--sheet", "text:/dev/null"]  # takes any number of them: it is the plug-in that is refused
+    one_line(run(program, "grade", "--plugin", "none.so", *nowhere), 3, "none.so")
     # It was made from no skeleton with blanks, so none is named.
     sheet = run(program, "grade", "--plugin", plugin, "--family", "planar").out
     expect("0/3" in sheet and "blank" not in sheet, sheet)
@@ -123,9 +124,8 @@ def check_misbehaving(program, plugin, place):
     said = {"crashes": "segmentation fault", "never-ends": "within", "throws": "the student's own words", "breaks-gl": "GL_INVALID",
             "exits": "it has ended the program itself", "eats-memory": "more than 700 MiB"}
     for behaviour in said if LONG else ["crashes", "never-ends"]:
-        result = misbehaving(program, "grade", "--plugin", plugin, "--json", *limits, "-o", place / behaviour, behaviour=behaviour)
+        sheet, result = misbehaving(program, plugin, *limits, "-o", place / behaviour, behaviour=behaviour, do=grade)
         expect(result.status == 1, str(result))
-        sheet = json.loads(result.out)
         expect(sheet["points"] == 0 and len(sheet["cases"]) >= 8, str(result))
         for case in sheet["cases"]:
             slow = not LONG and "within" in case["failure"]  # a second is little for a process on a busy machine
@@ -166,7 +166,8 @@ def check_skeleton(program, prefix, place, skeleton, mistakes):
         fill_in(folder, filled)
         said = build(folder, prefix, f"-DCMAKE_BUILD_TYPE={build_type}")
         expect("warning" not in said, said)
-        return grade(program, plugin, "-o", folder)
+        sheet, result = grade(program, plugin, "-o", folder)
+        return sheet, result.status
 
     if LONG:
         sheet, status = sheet_of({})

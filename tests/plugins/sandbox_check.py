@@ -5,7 +5,6 @@ BUILD_FOLDER
 With SHADOWLAB_LONG each attack is tried without the sandbox as well, where it has to succeed, and the limits are. Where bwrap cannot make a sandbox, the limits are still checked, and a line says that the rest is not.
 """
 # SPDX-License-Identifier: MIT
-import json
 import os
 import shutil
 import socket
@@ -14,7 +13,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from kit import Failed, build, expect, install, one_line, run
+from kit import Failed, build, expect, grade, install, one_line, run
 
 HERE = Path(__file__).resolve().parent
 LONG = bool(os.environ.get("SHADOWLAB_LONG"))
@@ -29,11 +28,10 @@ class Grading:
         """The sheet of the plug-in with that behaviour, and what was said beside it."""
         os.environ.update({"SHADOWLAB_MISBEHAVIOUR": behaviour, "SHADOWLAB_PREY": str(prey)})
         try:
-            result = run(self.program, "grade", "--plugin", self.plugin, "--json", *LIMITS, *options, limit=300)
+            sheet, result = grade(self.program, self.plugin, *LIMITS, *options)
         finally:
             del os.environ["SHADOWLAB_MISBEHAVIOUR"], os.environ["SHADOWLAB_PREY"]
         expect(result.status == 1, str(result))
-        sheet = json.loads(result.out)
         expect(len(sheet["cases"]) >= 8, str(result))
         return sheet, result
 
@@ -49,17 +47,13 @@ def has_sandbox(program, plugin):
     return result.status == 1
 
 
-def processes():
-    return {int(entry.name) for entry in Path("/proc").iterdir() if entry.name.isdigit()}
-
-
 def asleep_for_long(program):
     """Processes of the program that are still there."""
     found = []
-    for process in processes():
+    for entry in Path("/proc").glob("[0-9]*"):
         try:
-            if str(program) in Path(f"/proc/{process}/cmdline").read_text():
-                found.append(process)
+            if str(program) in (entry / "cmdline").read_text():
+                found.append(int(entry.name))
         except OSError:
             pass
     return found

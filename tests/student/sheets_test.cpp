@@ -34,13 +34,20 @@ Sheet someSheet() {
 }
 
 SearchReport someReport() {
-    SearchReport report{60, 3, 1, 5, 1.5, false, FoundScene{}};
+    SearchReport report{60, 3, 1, 5, false, FoundScene{}};
     report.found->idea = "a body that is sunk into the floor";
     report.found->sentence = "Two triangles and a lamp: here your shadow is missing.";
     report.found->blanks = {4};
     report.found->picture = "\x89PNG of no matter";
     report.found->figure = "<svg/>";
     return report;
+}
+
+/// Of a plug-in that was made from the first skeleton of the family that has blanks.
+std::vector<Blank> blanksOf(const Family& family) {
+    for (const std::string& name : skeletonNames())
+        if (std::vector<Blank> blanks = blanksOf(family, name); !blanks.empty()) return blanks;
+    return {};
 }
 
 std::vector<Blank> planarBlanks() { return blanksOf(findFamily("planar")); }

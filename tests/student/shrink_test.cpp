@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
+#include <map>
 #include <set>
 
 #include "app/student/search/building_blocks.h"

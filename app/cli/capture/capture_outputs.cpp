@@ -2,6 +2,7 @@
 #include "app/cli/capture/capture_outputs.h"
 
 #include "app/cli/option_values.h"
+#include "app/cli/same_file.h"
 #include "app/context/assets.h"
 #include "app/film/film_encoder.h"
 #include "techniques/foundation/base/error.h"
@@ -15,13 +16,6 @@ namespace {
 std::filesystem::path sceneFile(const std::string& scene) {
     const std::filesystem::path path(scene);
     return path.has_extension() ? path : context::assetsRoot() / "scenes" / (scene + ".json");
-}
-
-/// Would these two names lead to one and the same regular file?
-bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
-    std::error_code ignored;
-    if (std::filesystem::exists(a, ignored) && !std::filesystem::is_regular_file(a, ignored)) return false; // /dev/null
-    return std::filesystem::equivalent(a, b, ignored) || image::outputTarget(a) == image::outputTarget(b);
 }
 
 [[noreturn]] void refuseOutput(const std::string& option, const std::filesystem::path& path, const std::string& other) {
@@ -50,15 +44,15 @@ void requirePlaceForNumbers(const CaptureOptions& options, int frames) {
 
 void checkOutputs(const CaptureOptions& options) {
     const std::filesystem::path picture = numbered(options.output, 0), input = sceneFile(options.scene);
-    if (sameFile(picture, input)) refuseOutput("-o", picture, "the scene that is read");
+    if (isSameFile(picture, input)) refuseOutput("-o", picture, "the scene that is read");
     const std::filesystem::path& path = options.motion.path;
-    if (!path.empty() && sameFile(picture, path)) refuseOutput("-o", picture, "the path that is read");
+    if (!path.empty() && isSameFile(picture, path)) refuseOutput("-o", picture, "the path that is read");
     image::probeWritable(picture);
     if (film::isMp4(picture)) film::requireFfmpeg(picture);
     if (options.stats.empty()) return;
-    if (sameFile(options.stats, input)) refuseOutput("--stats", options.stats, "the scene that is read");
-    if (!path.empty() && sameFile(options.stats, path)) refuseOutput("--stats", options.stats, "the path that is read");
-    if (sameFile(options.stats, picture)) refuseOutput("--stats", options.stats, "the picture that is written");
+    if (isSameFile(options.stats, input)) refuseOutput("--stats", options.stats, "the scene that is read");
+    if (!path.empty() && isSameFile(options.stats, path)) refuseOutput("--stats", options.stats, "the path that is read");
+    if (isSameFile(options.stats, picture)) refuseOutput("--stats", options.stats, "the picture that is written");
     image::probeWritable(options.stats);
 }
 
@@ -67,7 +61,7 @@ void checkFurtherOutputs(const CaptureOptions& options, int frames) {
     for (int frame = 1; frame < frames; ++frame)
         image::requireNoInput(numbered(options.output, frame));
     for (int frame = 1; frame < frames && !options.stats.empty(); ++frame)
-        if (const auto picture = numbered(options.output, frame); sameFile(options.stats, picture))
+        if (const auto picture = numbered(options.output, frame); isSameFile(options.stats, picture))
             refuseOutput("--stats", options.stats, "the picture " + picture.string() + " that is written");
 }
 

@@ -9,15 +9,6 @@
 
 namespace shadowlab::student {
 
-std::vector<Blank> blanksOf(const Family& family) {
-    for (const std::string& name : skeletonNames()) {
-        if (name == "empty") continue;
-        if (Skeleton skeleton = readSkeleton(context::assetsRoot() / "skeletons" / (name + ".json")); skeleton.family == family.id)
-            return std::move(skeleton.blanks);
-    }
-    return {};
-}
-
 std::vector<Blank> blanksOf(const Family& family, const std::string& skeleton) {
     const std::vector<std::string> names = skeletonNames();
     if (skeleton == "empty" || std::ranges::find(names, skeleton) == names.end()) return {};

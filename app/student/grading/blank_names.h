@@ -9,10 +9,8 @@
 
 namespace shadowlab::student {
 
-/// Of the skeleton with that family. Throws Error (badInput) where a file of the program is missing.
-std::vector<Blank> blanksOf(const Family& family);
-
-/// The same of a plug-in that was made from that skeleton; none where it was made from another one, or from none (empty).
+/// Of the family's skeleton, of a plug-in that was made from it; none where it was made from another one, or from none (empty). Throws Error
+/// (badInput) where a file of the program is missing.
 std::vector<Blank> blanksOf(const Family& family, const std::string& skeleton);
 
 /// "blank 2 (the plane's equation)"; of several "blank 1 (...), or blank 2 (...)"; empty where there are none, more than three,

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "app/context/signals.h"
 #include "app/student/plugin_trial.h"
@@ -58,7 +59,6 @@ ChildEnd endOf(int waitStatus, ChildProcess& child, bool inSandbox) {
         end.message = "it crashed (" + signalText(signal) + ")";
     } else if (status != 0) {
         end.how = How::failed;
-        end.status = status;
         end.message = lastLine(std::move(child.complaints));
         if (inSandbox && end.message.starts_with(kBwrap))
             throw Error(ExitStatus::overLimit, "the sandbox could not be made: " + end.message.substr(kBwrap.size()) +
@@ -75,12 +75,10 @@ ChildEnd runChild(const std::vector<std::string>& words, const ChildLimits& limi
     for (;;) {
         if (const std::optional<int> status = child.look()) return endOf(*status, child, sandbox.isOn());
         context::throwIfInterrupted();
-        ChildEnd end;
-        end.message = overWhat(child, limits, since);
-        if (end.message.empty()) continue;
-        end.how = Clock::now() > since + limits.time ? How::outOfTime : How::overLimit;
-        child.end();
-        return end;
+        if (std::string message = overWhat(child, limits, since); !message.empty()) {
+            child.end();
+            return {How::overLimit, std::move(message), ""};
+        }
     }
 }
 

@@ -18,9 +18,8 @@ struct ChildLimits {
 };
 
 struct ChildEnd {
-    enum class How { finished, failed, crashed, outOfTime, overLimit };
+    enum class How { finished, failed, crashed, overLimit };
     How how = How::finished;
-    int status = 0;      ///< exit status, where it failed
     std::string message; ///< why it failed: the last line it said; or what else happened, as a sentence without its end
     std::string out;     ///< what it wrote to standard output, up to 1 MiB
 };

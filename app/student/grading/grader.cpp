@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/student/grading/grader.h"
 
-#include <algorithm>
 #include <memory>
 #include <numeric>
 
@@ -9,14 +8,13 @@
 
 #include "app/context/assets.h"
 #include "app/context/signals.h"
-#include "app/picture/limits.h"
 #include "app/picture/session.h"
+#include "app/student/grading/graded_scene.h"
+#include "app/student/grading/left_files.h"
 #include "app/student/grading/picture_difference.h"
 #include "app/student/grading/score_picture.h"
 #include "app/student/grading/temporary_folder.h"
 #include "techniques/foundation/base/error.h"
-#include "techniques/foundation/image/png/png.h"
-#include "techniques/foundation/scene/load/load.h"
 
 namespace shadowlab::student {
 
@@ -31,14 +29,6 @@ struct Drawn {
     std::optional<image::Image> picture;
     std::string failure;
 };
-
-// A picture of a case has less than half a megabyte of pixels. What else a plug-in has put in its place is not read.
-constexpr std::uintmax_t kMostBytes = 4 << 20;
-
-bool isPictureFile(const fs::path& file) {
-    std::error_code failed;
-    return fs::symlink_status(file, failed).type() == fs::file_type::regular && fs::file_size(file, failed) <= kMostBytes && !failed;
-}
 
 std::vector<std::uint8_t> greyAlphaOf(const image::Image& picture) {
     std::vector<std::uint8_t> greyAlpha;
@@ -76,19 +66,13 @@ private:
         if (stage != Judged::picture) words.insert(words.end(), {"--stage", std::string(toText(stage))});
         const ChildEnd end = runChild(words, conditions_.limits, conditions_.sandbox, room);
         if (end.how != ChildEnd::How::finished) return {std::nullopt, end.message};
-        try {
-            if (isPictureFile(file))
-                if (image::Image picture = image::loadPng(file); picture.width == kCaseWidth && picture.height == kCaseHeight)
-                    return {std::move(picture), ""};
-        } catch (const Error&) {
-            // A plug-in that ends the program itself may leave half of a file, or none.
-        }
+        if (const std::optional<std::vector<std::uint8_t>> bytes = bytesLeftIn(file))
+            if (std::optional<image::Image> picture = pictureIn(*bytes, {kCaseWidth, kCaseHeight})) return {std::move(picture), ""};
         return {std::nullopt, "it ended the program before the picture was written"};
     }
 
     CaseResult judgeVisibility(const Case& which) {
-        const scene::Snapshot scene = scene::loadScene(
-            sceneOf(which).string(), {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = picture::limits()});
+        const scene::Snapshot scene = loadGradedScene(sceneOf(which));
         picture::Session session(scene);
         View view;
         view.camera = scene->camera;
@@ -139,11 +123,6 @@ int Sheet::points() const {
 int Sheet::mostPoints() const {
     return std::accumulate(results.begin(), results.end(), 0,
                            [](int sum, const CaseResult& result) { return sum + result.which->points; });
-}
-
-const CaseResult* Sheet::firstFailing() const {
-    const auto found = std::ranges::find_if(results, [](const CaseResult& result) { return !result.isRight(); });
-    return found == results.end() ? nullptr : &*found;
 }
 
 std::string whatIsWrong(const CaseResult& result, const Family& family) {

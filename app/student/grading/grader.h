@@ -47,7 +47,6 @@ struct Sheet {
     std::vector<CaseResult> results;
     [[nodiscard]] int points() const;
     [[nodiscard]] int mostPoints() const;
-    [[nodiscard]] const CaseResult* firstFailing() const; ///< nullptr where all is right
 };
 
 /// What is wrong in a case that is not right, as sentences.

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/context/context.h"
+#include "app/student/grading/graded_scene.h"
 #include "app/student/search/scene_drawer.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
@@ -47,7 +48,7 @@ private:
 };
 
 void draw(const std::string& technique, const json& request) {
-    const scene::Snapshot snapshot = loadFoundScene(request.at("scene").get<std::string>());
+    const scene::Snapshot snapshot = loadGradedScene(request.at("scene").get<std::string>());
     SceneDrawer drawer(technique, snapshot, kSearchSettings); // a new one: nothing is left of the scene before
     const View view = foundView(*snapshot, request.at("scale").get<int>());
     const std::filesystem::path out = request.at("out").get<std::string>();

@@ -7,10 +7,11 @@
 #include "app/context/assets.h"
 #include "app/figures/figures.h"
 #include "app/picture/stage_ref.h"
+#include "app/student/grading/graded_scene.h"
+#include "app/student/grading/left_files.h"
 #include "app/student/grading/score_picture.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/png/png.h"
-#include "techniques/registry.h"
 
 namespace shadowlab::student {
 
@@ -18,19 +19,11 @@ namespace {
 
 std::string asText(const std::vector<std::uint8_t>& bytes) { return {bytes.begin(), bytes.end()}; }
 
-/// The production technique whose probe the figures are drawn from.
-std::string_view probedTechnique(const Family& family) {
-    if (family.id == "planar") return "planar";
-    if (family.id == "shadow-map") return "shadow-map";
-    if (family.id == "shadow-volume") return "shadow-volume-zfail";
-    return family.id == "ray-tracing" ? "ray-traced" : "radiosity";
-}
-
 /// A figure is drawn of a technique of the program, and shows what that decides: it says so, and what the plug-in does.
 std::string captionOf(const Finding& finding, const Family& family) {
     const Trial& trial = finding.trial;
     const std::string pixel = "pixel " + std::to_string(trial.pixel.x) + "," + std::to_string(trial.pixel.y);
-    const std::string text = "Drawn from the program's own " + std::string(probedTechnique(family)) + ", not from the plug-in. ";
+    const std::string text = "Drawn from the program's own " + std::string(refinedTechnique(family)) + ", not from the plug-in. ";
     const std::string lecture = text + "The lecture's algorithm decides of " + pixel + ": ";
     if (trial.atPixel == judge::Verdict::falseLit) return lecture + "in shadow. The plug-in says the opposite: lit.";
     if (trial.atPixel == judge::Verdict::falseShadow) return lecture + "lit. The plug-in says the opposite: in shadow.";
@@ -48,32 +41,31 @@ void addCaption(drawing::Drawing& drawing, const std::string& text, const image:
     }
 }
 
-/// Nothing where the pixel has nothing to draw.
-std::optional<std::string> figureWith(const Finding& finding, const Family& family, const scene::Snapshot& snapshot, const View& view, int light) {
-    const std::filesystem::path fonts = context::assetsRoot() / "fonts";
-    const image::Font font(fonts / "DejaVuSans.ttf"), bold(fonts / "DejaVuSans-Bold.ttf");
-    picture::Slot slot = picture::Session::makeSlot(probedTechnique(family));
-    try {
-        const Probe probe = slot.technique->probe(snapshot, view, *view.picked, light);
-        figures::Diagram diagram = figures::findFigure("pixel").draw({probe, probedTechnique(family), *snapshot, view, light, font, bold});
-        addCaption(diagram.drawing, captionOf(finding, family), font);
-        return diagram.document();
-    } catch (const Error&) {
-        return std::nullopt;
-    }
-}
-
 /// The lecture's section figure of the wrong pixel; of patches, with the first place in the picture that it exchanges light with.
 std::optional<std::string> figure(const Finding& finding, const Family& family, const scene::Snapshot& snapshot) {
+    const std::filesystem::path fonts = context::assetsRoot() / "fonts";
+    const image::Font font(fonts / "DejaVuSans.ttf"), bold(fonts / "DejaVuSans-Bold.ttf");
+    const std::string_view technique = refinedTechnique(family);
+    const picture::Slot slot = picture::Session::makeSlot(technique);
     View view = foundView(*snapshot);
     view.picked = finding.trial.pixel;
-    if (family.id != "radiosity")
-        return figureWith(finding, family, snapshot, view, snapshot->lights.empty() ? kNoLight : std::max(finding.trial.light, 0));
+    // Nothing where the pixel has nothing to draw.
+    const auto figureOf = [&](int light) -> std::optional<std::string> {
+        try {
+            const Probe probe = slot.technique->probe(snapshot, view, *view.picked, light);
+            figures::Diagram diagram = figures::findFigure("pixel").draw({probe, technique, *snapshot, view, light, font, bold});
+            addCaption(diagram.drawing, captionOf(finding, family), font);
+            return diagram.document();
+        } catch (const Error&) {
+            return std::nullopt;
+        }
+    };
+    if (family.id != "radiosity") return figureOf(snapshot->lights.empty() ? kNoLight : std::max(finding.trial.light, 0));
     constexpr int kEvery = 12; // pixels
     for (int y = kEvery / 2; y < kSearchHeight; y += kEvery)
         for (int x = kEvery / 2; x < kSearchWidth; x += kEvery) {
             view.partner = ivec2(x, y);
-            if (auto drawn = figureWith(finding, family, snapshot, view, kNoLight)) return drawn;
+            if (auto drawn = figureOf(kNoLight)) return drawn;
         }
     return std::nullopt;
 }
@@ -88,12 +80,10 @@ image::Image pictureOf(const Finding& finding, SceneTrials& trials) {
     const Painted painted = trials.painter().paint(trials.lastScene(), stages, kScale);
     std::optional<image::Image> student;
     std::string failure = painted.failure;
-    try {
-        if (failure.empty()) student = image::decodePng(painted.files.front(), "picture").image;
-    } catch (const Error&) {
-        failure = "it left no picture";
+    if (failure.empty()) {
+        student = pictureIn(painted.files.front(), view.size);
+        if (!student) failure = "it left no picture of the size that was asked for";
     }
-    if (student && (student->width != view.size.x || student->height != view.size.y)) student.reset();
     if (isPicture) return scorePicture(std::move(student), failure, right.picture(view, {}), trials.family().levels);
     const judge::Truth& truth = right.session().truth(view, picture::LightTruth(finding.trial.light));
     std::vector<std::uint8_t> greyAlpha(2 * truth.visibility.size(), 0);
@@ -110,7 +100,7 @@ std::map<std::string, std::string> filesOf(const Finding& finding, SceneTrials& 
     files.emplace(stem + ".png", asText(image::encodePng(pictureOf(finding, trials))));
     if (!finding.trial.failure.empty()) return files;
     if (finding.isFresh) files.emplace(stem + "-lesson.json", lessonText(finding, candidate, family, stem));
-    if (auto drawn = figure(finding, family, loadFoundScene(trials.lastScene()))) files.emplace(stem + ".svg", std::move(*drawn));
+    if (auto drawn = figure(finding, family, loadGradedScene(trials.lastScene()))) files.emplace(stem + ".svg", std::move(*drawn));
     return files;
 }
 

@@ -4,17 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/context/assets.h"
-#include "app/picture/limits.h"
 #include "app/picture/panel.h"
 #include "app/picture/stage_ref.h"
-#include "techniques/foundation/scene/load/load.h"
 
 namespace shadowlab::student {
-
-scene::Snapshot loadFoundScene(const std::filesystem::path& file) {
-    return scene::loadScene(file.string(), {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = picture::limits()});
-}
 
 View foundView(const scene::Scene& scene, int scale) {
     View view;

@@ -1,7 +1,6 @@
 // What a technique says of a small picture of a scene: for the search in this process, and for the process in which a plug-in draws.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,9 +13,6 @@ namespace shadowlab::student {
 
 /// Of a lesson's shape, so that what is found is seen in the same place there. Small: a picture takes some hundredths of a second.
 constexpr int kSearchWidth = 160, kSearchHeight = 90;
-
-/// A scene of the search, as every command loads it.
-scene::Snapshot loadFoundScene(const std::filesystem::path& file);
 
 /// The view of a picture of the search, or of one that is `scale` times as large on a side.
 View foundView(const scene::Scene& scene, int scale = 1);

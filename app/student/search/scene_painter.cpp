@@ -7,10 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/context/signals.h"
+#include "app/student/grading/left_files.h"
 #include "app/student/search/drawing_service.h"
 #include "app/student/search/scene_drawer.h"
-#include "techniques/foundation/base/error.h"
-#include "techniques/foundation/scene/load/file_access.h"
 
 namespace shadowlab::student {
 
@@ -22,19 +21,6 @@ using Clock = std::chrono::steady_clock;
 
 // A picture takes some hundredths of a second, a first one some tenths; of a slow machine a hundred times as much.
 constexpr std::chrono::seconds kLongestPicture{8};
-constexpr std::int64_t kMostBytes = 4 << 20;
-
-/// Nothing where it is no regular file, or too large for a picture.
-std::optional<std::vector<std::uint8_t>> bytesOf(const fs::path& file) {
-    std::error_code failed;
-    if (fs::symlink_status(file, failed).type() != fs::file_type::regular || failed) return std::nullopt;
-    try {
-        const std::string text = scene::readFile(file, kMostBytes);
-        return std::vector<std::uint8_t>(text.begin(), text.end());
-    } catch (const Error&) {
-        return std::nullopt;
-    }
-}
 
 } // namespace
 
@@ -99,7 +85,7 @@ Painted ScenePainter::paint(const fs::path& scene, const std::vector<StageKey>& 
             painted.failure = answer.at("failed").get<std::string>();
         else
             for (std::size_t i = 0; i < stages.size() && painted.failure.empty(); ++i)
-                if (auto bytes = bytesOf(out / std::to_string(i))) painted.files.push_back(std::move(*bytes));
+                if (auto bytes = bytesLeftIn(out / std::to_string(i))) painted.files.push_back(std::move(*bytes));
                 else painted.failure = "it left no picture";
     }
     std::error_code ignored;

@@ -2,16 +2,19 @@
 #include "app/student/search/scene_trial.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numeric>
+#include <optional>
+#include <utility>
 
 #include "app/judge/slot_errors.h"
 #include "app/picture/stage_ref.h"
+#include "app/student/grading/graded_scene.h"
+#include "app/student/grading/left_files.h"
 #include "app/student/grading/picture_difference.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
-#include "techniques/foundation/image/png/png.h"
+#include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/registry.h"
 
 namespace shadowlab::student {
 
@@ -25,10 +28,6 @@ constexpr int kRightMayBeWrong = 6;
 constexpr float kMapReachPx = 2.5f;
 // Two right ways to follow rays disagree at rims of curved glass; a scene where they do in more pixels (2 %) is not asked.
 constexpr int kRaysMayDiffer = 288;
-
-bool isWrongVerdict(judge::Verdict verdict) {
-    return verdict == judge::Verdict::falseLit || verdict == judge::Verdict::falseShadow || verdict == judge::Verdict::stray;
-}
 
 /// The wrong pixel that is nearest to the middle of all of them.
 ivec2 amidst(const std::vector<bool>& isWrong) {
@@ -69,7 +68,7 @@ std::string countedText(const Family& family, Judged judged) {
     if (judged == Judged::picture)
         return text + ": those that are more than " + std::to_string(family.levels) + " of 255 levels off the picture of " + right + ".";
     text += ", without ties: those where " + right + " is right";
-    if (family.id == "shadow-map") text += ", farther than 2.5 pixels from any true edge: the algorithm is wrong there, and not its texels alone";
+    if (family.id == "shadow-map") text += ", farther than " + scene::numberText(kMapReachPx) + " pixels from any true edge: the algorithm is wrong there, and not its texels alone";
     return text + ".";
 }
 
@@ -78,6 +77,8 @@ std::string_view rightTechnique(const Family& family) {
     return family.id == "planar" ? "lecture-planar" : family.id == "shadow-map" ? "lecture-shadow-map" : "lecture-zfail";
 }
 
+std::string_view refinedTechnique(const Family& family) { return findTechnique(rightTechnique(family)).sister; }
+
 SceneTrials::SceneTrials(const Candidate& candidate, const Family& family, const Conditions& conditions)
     : family_(family), painter_(candidate, conditions, folder_.path()) {}
 
@@ -85,8 +86,8 @@ SceneDrawer& SceneTrials::drawerOf(std::string_view technique) {
     auto found = drawers_.find(technique);
     if (found == drawers_.end()) {
         std::vector<std::string> settings = kSearchSettings;
-        // As the lecture's tree of rays is by itself.
-        if (technique == "ray-traced") settings = {"depth=4", "fresnel=constant", "cutoff=0"};
+        // As the lecture's tree of rays is by itself. Techniques of other families have no such parameters.
+        if (technique == refinedTechnique(family_)) settings = {"depth=4", "fresnel=constant", "cutoff=0"};
         found = drawers_.emplace(technique, std::make_unique<SceneDrawer>(technique, snapshot_, settings)).first;
     }
     found->second->setScene(snapshot_);
@@ -102,7 +103,7 @@ Trial SceneTrials::tryScene(const SearchScene& scene, Judged judged) {
         image::writeWhole(folder / name, text);
     lastScene_ = folder / "scene.json";
     try {
-        snapshot_ = loadFoundScene(lastScene_);
+        snapshot_ = loadGradedScene(lastScene_);
     } catch (const Error&) {
         return {}; // smaller scenes may be none any more: an eye at its target, a mesh without area
     }
@@ -131,12 +132,11 @@ Trial SceneTrials::tryVisibility() {
         }
         int rightIsWrong = 0;
         for (std::size_t i = 0; i < asked.size(); ++i) {
-            if (asked[i] && isWrongVerdict(rightly.verdicts[i])) ++rightIsWrong;
+            if (asked[i] && judge::isWrong(rightly.verdicts[i])) ++rightIsWrong;
             asked[i] = asked[i] && rightly.verdicts[i] == judge::Verdict::correct;
         }
         Trial trial;
         trial.light = light;
-        trial.rightIsWrong = rightIsWrong;
         trial.lit = rightly.counts.lit;
         trial.shadowed = rightly.counts.shadowed;
         trial.isFair = rightIsWrong <= kRightMayBeWrong && trial.lit >= kLeastOfEach && trial.shadowed >= kLeastOfEach;
@@ -152,13 +152,13 @@ Trial SceneTrials::tryVisibility() {
         Trial& trial = trials[light];
         if (!trial.isFair) continue;
         trial.failure = painted.failure;
-        if (trial.failure.empty() && painted.files[light].size() != bytes) trial.failure = "it left a picture of another size";
+        if (trial.failure.empty() && painted.files[light].size() != bytes) trial.failure = "it left no picture of the size that was asked for";
         if (!trial.failure.empty()) return trial;
         const judge::Truth& truth = right.session().truth(view, picture::LightTruth(static_cast<int>(light)));
         const judge::Judgement judged = judge::judge(truth, painted.files[light]);
         std::vector<bool> isWrong(judged.verdicts.size());
         for (std::size_t i = 0; i < isWrong.size(); ++i) {
-            isWrong[i] = isAsked[light][i] && isWrongVerdict(judged.verdicts[i]);
+            isWrong[i] = isAsked[light][i] && judge::isWrong(judged.verdicts[i]);
             if (!isWrong[i]) continue;
             trial.falseLit += judged.verdicts[i] == judge::Verdict::falseLit;
             trial.falseShadow += judged.verdicts[i] == judge::Verdict::falseShadow;
@@ -181,7 +181,7 @@ Trial SceneTrials::tryPicture() {
     Trial trial;
     trial.light = kNoLight;
     if (family_.id == "ray-tracing") {
-        const PictureDifference other = difference(drawerOf("ray-traced").picture(view, {}), right, family_.levels);
+        const PictureDifference other = difference(drawerOf(refinedTechnique(family_)).picture(view, {}), right, family_.levels);
         if (other.count > kRaysMayDiffer) return trial;
         for (std::size_t i = 0; i < asked.size(); ++i)
             asked[i] = !other.wrong[i];
@@ -196,19 +196,15 @@ Trial SceneTrials::tryPicture() {
     const Painted painted = painter_.paint(lastScene_, {StageKey{}});
     trial.failure = painted.failure;
     if (!trial.failure.empty()) return trial;
-    try {
-        const image::Image picture = image::decodePng(painted.files.front(), "picture").image;
-        if (picture.width != kSearchWidth || picture.height != kSearchHeight) {
-            trial.failure = "it left a picture of another size";
-            return trial;
-        }
-        std::vector<bool> isWrong = difference(picture, right, family_.levels).wrong;
-        for (std::size_t i = 0; i < isWrong.size(); ++i)
-            isWrong[i] = isWrong[i] && asked[i];
-        addWrong(trial, std::move(isWrong));
-    } catch (const Error&) {
-        trial.failure = "it left no picture";
+    const std::optional<image::Image> picture = pictureIn(painted.files.front(), view.size);
+    if (!picture) {
+        trial.failure = "it left no picture of the size that was asked for";
+        return trial;
     }
+    std::vector<bool> isWrong = difference(*picture, right, family_.levels).wrong;
+    for (std::size_t i = 0; i < isWrong.size(); ++i)
+        isWrong[i] = isWrong[i] && asked[i];
+    addWrong(trial, std::move(isWrong));
     return trial;
 }
 

@@ -20,7 +20,6 @@ struct Trial {
     int wrong = 0;       ///< pixels, outside of ties, where the right technique is right
     int falseLit = 0, falseShadow = 0;
     int lit = 0, shadowed = 0; ///< pixels of the truth; of a picture: none
-    int rightIsWrong = 0;      ///< pixels of the right technique that are wrong, too
     int light = 0;             ///< that all this is about; kNoLight: the picture is
     std::vector<bool> isWrong; ///< per pixel, rows from the top
     ivec2 pixel{-1};           ///< a wrong one amid the others
@@ -38,6 +37,8 @@ std::string countedText(const Family& family, Judged judged);
 
 /// The technique of the program that is held to be right in a family: the lecture's own.
 std::string_view rightTechnique(const Family& family);
+/// The production technique that refines that one.
+std::string_view refinedTechnique(const Family& family);
 
 /// Writes scenes, and tries them.
 class SceneTrials {

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "app/picture/stage_ref.h"
+#include "app/student/grading/left_files.h"
 #include "app/student/grading/picture_difference.h"
 #include "app/student/search/shrink.h"
 #include "techniques/foundation/base/error.h"
-#include "techniques/foundation/image/png/png.h"
 
 namespace shadowlab::student {
 
@@ -50,6 +50,15 @@ bool isBlank(const image::Image& stage, const image::Image& picture) {
     return hasOneColour(stage) || (isOfSize(stage, picture) && difference(stage, picture, kLevels).count == 0);
 }
 
+/// Nothing where the scene has nothing to show in it.
+std::optional<image::Image> stageOf(SceneDrawer& right, const View& view, const StageKey& key) {
+    try {
+        return right.picture(view, key);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
 /// The first stage of the lecture's algorithm that the plug-in has as well, and shows otherwise.
 std::optional<StageEvidence> evidence(SceneTrials& trials, int light) {
     SceneDrawer& right = trials.drawerOf(rightTechnique(trials.family()));
@@ -62,18 +71,16 @@ std::optional<StageEvidence> evidence(SceneTrials& trials, int light) {
         if (stage.id == kVisibilityStage || std::ranges::find(its, stage.id) == its.end()) continue;
         const StageKey key{std::string(stage.id), stage.perLight ? std::max(light, 0) : kNoLight};
         if (stage.perLight && right.session().snapshot()->lights.empty()) continue;
+        const std::optional<image::Image> rightly = stageOf(right, view, key);
+        if (!rightly || isBlank(*rightly, rightPicture)) continue;
         const Painted painted = trials.painter().paint(trials.lastScene(), {key, StageKey{}});
         if (!painted.failure.empty()) continue;
-        try {
-            const image::Image rightly = right.picture(view, key), shown = image::decodePng(painted.files[0], "stage").image,
-                               picture = image::decodePng(painted.files[1], "picture").image;
-            if (isBlank(rightly, rightPicture) || !isOfSize(picture, rightPicture)) continue;
-            if (isBlank(shown, picture)) return StageEvidence{key.id, true};
-            if (!isOfSize(shown, rightly) || differing(shown, rightly, picture, rightPicture) > rightly.width * rightly.height / kShare)
-                return StageEvidence{key.id, false};
-        } catch (const Error&) {
-            continue;
-        }
+        // Of a stage its own size is the plug-in's choice, as that of a map.
+        const std::optional<image::Image> shown = pictureIn(painted.files[0]), picture = pictureIn(painted.files[1], view.size);
+        if (!shown || !picture) continue;
+        if (isBlank(*shown, *picture)) return StageEvidence{key.id, true};
+        if (!isOfSize(*shown, *rightly) || differing(*shown, *rightly, *picture, rightPicture) > rightly->width * rightly->height / kShare)
+            return StageEvidence{key.id, false};
     }
     return std::nullopt;
 }
@@ -88,20 +95,21 @@ void measureForLesson(SceneTrials& trials, Finding& finding) {
     const Painted painted = trials.painter().paint(trials.lastScene(), {key}, kDouble);
     if (!painted.failure.empty()) return;
     if (isPicture) {
-        const image::Image picture = image::decodePng(painted.files.front(), "picture").image;
-        finding.wrongAtDouble = difference(picture, right.picture(view, key), 0).count;
+        if (const std::optional<image::Image> picture = pictureIn(painted.files.front(), view.size))
+            finding.wrongAtDouble = difference(*picture, right.picture(view, key), 0).count;
         return;
     }
+    if (painted.files.front().size() != 2 * static_cast<std::size_t>(view.size.x) * static_cast<std::size_t>(view.size.y)) return;
     const judge::Truth& truth = right.session().truth(view, picture::LightTruth(finding.trial.light));
     finding.rightAtDouble = judge::judge(truth, right.visibility(view, finding.trial.light)).counts.wrong();
     finding.wrongAtDouble = judge::judge(truth, painted.files.front()).counts.wrong();
 }
 
-Finding madeSmall(SceneTrials& trials, const SearchScene& scene, int number, const std::function<bool()>& mayGoOn) {
+/// `hadPicture`: the scene fails by what it shows, not by showing nothing.
+Finding madeSmall(SceneTrials& trials, const SearchScene& scene, int number, bool hadPicture, const std::function<bool()>& mayGoOn) {
     Finding finding{number, &kindOf(trials.family(), number), {}, {}, 0, triangleCount(scene), true, {}, 0, 0};
     const Judged judged = finding.kind->judged;
     const int least = leastWrong(trials.family(), judged);
-    const bool hadPicture = trials.tryScene(scene, judged).failure.empty();
     // What fails in the one way is not exchanged for what fails in the other.
     const auto stillFails = [&](const SearchScene& smaller) {
         const Trial trial = trials.tryScene(smaller, judged);
@@ -137,11 +145,10 @@ SearchResult search(SceneTrials& trials, const SearchPlan& plan, const std::func
         result.unfair += !trial.isFair;
         done(result.tried);
         if (!trial.fails(leastWrong(trials.family(), judged))) continue;
-        Finding finding = madeSmall(trials, scene, number, [&] { return Clock::now() - begin < plan.time; });
+        Finding finding = madeSmall(trials, scene, number, trial.failure.empty(), [&] { return Clock::now() - begin < plan.time; });
         if (!result.finding || triangleCount(finding.scene) < triangleCount(result.finding->scene)) result.finding = std::move(finding);
     }
     if (result.finding) trials.tryScene(result.finding->scene, result.finding->kind->judged); // again the last one
-    result.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     return result;
 }
 

@@ -41,7 +41,6 @@ struct SearchResult {
     int tried = 0;  ///< scenes
     int unfair = 0; ///< of these, in which nothing could be asked
     bool isOutOfTime = false;
-    double seconds = 0;
     std::optional<Finding> finding;
 };
 

@@ -2,10 +2,11 @@
 #include "app/student/search/search_scene.h"
 
 #include <array>
-#include <charconv>
 #include <limits>
 #include <set>
 #include <string_view>
+
+#include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::student {
 
@@ -27,12 +28,7 @@ constexpr std::array kMaterials = std::to_array<NamedMaterial>({
     {"glowing", R"("diffuse": [0.5, 0.6, 0.7], "emission": [0.6, 0.48, 0.36], "emits": "both")"},
 });
 
-/// The shortest text that is read as the same number.
-std::string text(double number) {
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number + 0.0).ptr; // not -0
-    return {buffer.data(), end};
-}
+std::string text(double number) { return scene::numberText(number + 0.0); } // not -0
 std::string text(const dvec3& v, std::string_view between) {
     return text(v.x) + std::string(between) + text(v.y) + std::string(between) + text(v.z);
 }

@@ -2,7 +2,6 @@
 #include "app/student/search/shrink.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>

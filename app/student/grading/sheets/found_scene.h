@@ -23,7 +23,6 @@ struct FoundScene {
 struct SearchReport {
     int asked = 0, tried = 0, unfair = 0;
     std::uint64_t seed = 0;
-    double seconds = 0;
     bool isOutOfTime = false;
     std::optional<FoundScene> found;
 };

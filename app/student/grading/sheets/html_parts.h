@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/student/grading/blank_names.h"
@@ -10,10 +9,6 @@
 #include "app/student/grading/sheets/found_scene.h"
 
 namespace shadowlab::student {
-
-/// <img> with the picture in it.
-std::string pictureHtml(std::string_view png, std::string_view what);
-std::string figureHtml(std::string_view svg, std::string_view what);
 
 /// What is wrong in a case, its hint, its blanks, and its picture; of one that is right, that it is.
 std::string caseHtml(const CaseResult& result, const Family& family, const std::vector<Blank>& blanks);
