@@ -8,6 +8,7 @@
 #include <span>
 
 #include "app/judge/truth_tiles.h"
+#include "techniques/foundation/math/radical_inverse.h"
 #include "techniques/foundation/trace/area/area_visibility.h"
 
 namespace shadowlab::judge {
@@ -16,14 +17,6 @@ namespace {
 
 using trace::SurfacePoint;
 using trace::Visibility;
-
-/// The binary digits of i, mirrored at the point: 1 is 0.5, 2 is 0.25, 3 is 0.75.
-double mirroredDigits(std::uint32_t i) {
-    double value = 0, digit = 0.5;
-    for (; i > 0; i >>= 1, digit /= 2)
-        if (i & 1) value += digit;
-    return value;
-}
 
 /// What one point of a pixel shows.
 struct PointAnswer {
@@ -110,12 +103,13 @@ std::size_t pixelsOf(ivec2 size) { return static_cast<std::size_t>(size.x) * sta
 } // namespace
 
 std::vector<dvec2> subpixelPoints(int count) {
-    std::vector<std::uint32_t> order(static_cast<std::size_t>(count));
-    std::iota(order.begin(), order.end(), 0u);
-    std::ranges::sort(order, {}, mirroredDigits);
+    std::vector<int> order(static_cast<std::size_t>(count));
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, [](int i) { return radicalInverse(i, 2); });
     std::vector<dvec2> points(order.size());
     for (std::size_t rank = 0; rank < order.size(); ++rank)
-        points[order[rank]] = (dvec2(order[rank], static_cast<double>(rank)) + 0.5) / static_cast<double>(count);
+        points[static_cast<std::size_t>(order[rank])] =
+            (dvec2(order[rank], static_cast<double>(rank)) + 0.5) / static_cast<double>(count);
     return points;
 }
 
