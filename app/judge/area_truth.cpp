@@ -26,9 +26,7 @@ public:
     }
 
     [[nodiscard]] Visibility visibility(const SurfacePoint& point, double share) const {
-        if (!point) return Visibility::noSurface;
-        if (!tracer_.facesLight(point, light_)) return Visibility::turnedAway;
-        return share > 0.5 ? Visibility::lit : Visibility::shadowed;
+        return visibilityOf(tracer_, light_, point, share);
     }
 
     /// The same where the pixel shows that triangle.
@@ -38,10 +36,6 @@ public:
         if (!shown) return Visibility::turnedAway;
         if (tracer_.isInHole(*shown)) return std::nullopt;
         return visibility(*shown, area_.share(*shown));
-    }
-
-    [[nodiscard]] std::uint32_t objectOf(const SurfacePoint& point) const {
-        return point ? tracer_.world().objects[point.primitive] : trace::kNoPrimitive;
     }
 
     /// The centres of a tile: where they are, what they see, and whether anything else is seen around them.
@@ -119,10 +113,10 @@ Truth areaTruth(const trace::SceneTracer& tracer, const scene::Camera& camera, i
     forEachTile(size, stop, [&](const Tile& tile) {
         AreaAsking::Answers answers;
         asking.ask(tile, rasterised ? rasterised->tieRadiusPx : 0.0, answers);
-        forEachPixel(tile, truth, [&](std::size_t i, std::size_t inTile, ivec2 pixel) {
+        forEachPixel(tile, size, [&](std::size_t i, std::size_t inTile, ivec2 pixel) {
             truth.visibility[i] = answers.visibility[inTile];
             truth.shares[i] = static_cast<float>(answers.shares[inTile].visible);
-            truth.objects[i] = asking.objectOf(answers.points[inTile]);
+            truth.objects[i] = objectOf(tracer, answers.points[inTile]);
             truth.ties[i] = answers.ties[inTile];
             if (!rasterised || rasterised->primitives.empty() || truth.ties[i]) return;
             const std::uint32_t drawn = rasterised->primitives[i];

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "app/judge/truth_tiles.h"
+#include "techniques/foundation/math/radical_inverse.h"
 #include "techniques/foundation/trace/area/area_visibility.h"
 
 namespace shadowlab::judge {
@@ -16,14 +17,6 @@ namespace {
 
 using trace::SurfacePoint;
 using trace::Visibility;
-
-/// The binary digits of i, mirrored at the point: 1 is 0.5, 2 is 0.25, 3 is 0.75.
-double mirroredDigits(std::uint32_t i) {
-    double value = 0, digit = 0.5;
-    for (; i > 0; i >>= 1, digit /= 2)
-        if (i & 1) value += digit;
-    return value;
-}
 
 /// What one point of a pixel shows.
 struct PointAnswer {
@@ -77,7 +70,7 @@ public:
             for (std::size_t i = 0; i < tile.count(); ++i) {
                 points[i * count + k] = seen[i];
                 PointAnswer& answer = answers[i * count + k];
-                if (seen[i]) answer.object = tracer_.world().objects[seen[i].primitive];
+                answer.object = objectOf(tracer_, seen[i]);
                 if (area_) continue;
                 answer.visibility = visibility[i];
                 answer.share = visibility[i] == Visibility::lit ? 1.0f : 0.0f;
@@ -94,14 +87,8 @@ private:
         area_->shares(points, {}, shares);
         for (std::size_t i = 0; i < points.size(); ++i) {
             answers[i].share = static_cast<float>(shares[i].visible);
-            answers[i].visibility = visibilityOf(points[i], answers[i].share);
+            answers[i].visibility = visibilityOf(tracer_, light_, points[i], static_cast<double>(answers[i].share));
         }
-    }
-
-    [[nodiscard]] Visibility visibilityOf(const SurfacePoint& point, float share) const {
-        if (!point) return Visibility::noSurface;
-        if (!tracer_.facesLight(point, light_)) return Visibility::turnedAway;
-        return share > 0.5f ? Visibility::lit : Visibility::shadowed;
     }
 
     const trace::SceneTracer& tracer_;
@@ -111,21 +98,18 @@ private:
     std::optional<trace::AreaVisibility> area_; ///< none: the light's centre is asked for
 };
 
-std::size_t indexIn(ivec2 size, ivec2 pixel) {
-    return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(pixel.x);
-}
-
-std::size_t pixelsOf(ivec2 size) { return indexIn(size, {0, size.y}); }
+std::size_t pixelsOf(ivec2 size) { return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y); }
 
 } // namespace
 
 std::vector<dvec2> subpixelPoints(int count) {
-    std::vector<std::uint32_t> order(static_cast<std::size_t>(count));
-    std::iota(order.begin(), order.end(), 0u);
-    std::ranges::sort(order, {}, mirroredDigits);
+    std::vector<int> order(static_cast<std::size_t>(count));
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, [](int i) { return radicalInverse(i, 2); });
     std::vector<dvec2> points(order.size());
     for (std::size_t rank = 0; rank < order.size(); ++rank)
-        points[order[rank]] = (dvec2(order[rank], static_cast<double>(rank)) + 0.5) / static_cast<double>(count);
+        points[static_cast<std::size_t>(order[rank])] =
+            (dvec2(order[rank], static_cast<double>(rank)) + 0.5) / static_cast<double>(count);
     return points;
 }
 
@@ -136,14 +120,12 @@ Coverage trueCoverage(const trace::SceneTracer& tracer, const scene::Camera& cam
     const PointsAsking asking(tracer, camera, size, light, points, of);
     forEachTile(size, stop, [&](const Tile& tile) {
         const std::vector<PointAnswer> answers = asking.ask(tile);
-        for (std::size_t i = 0; i < tile.count(); ++i) {
-            const ivec2 inTile(static_cast<int>(i) % tile.size.x, static_cast<int>(i) / tile.size.x);
-            const auto own =
-                std::span(answers).subspan(i * static_cast<std::size_t>(points), static_cast<std::size_t>(points));
-            const std::size_t pixel = indexIn(size, tile.corner + inTile);
-            coverage.shares[pixel] = meanShare(own);
-            coverage.kinds[pixel] = kindOf(own);
-        }
+        forEachPixel(tile, size, [&](std::size_t i, std::size_t inTile, ivec2) {
+            const auto count = static_cast<std::size_t>(points);
+            const auto own = std::span(answers).subspan(inTile * count, count);
+            coverage.shares[i] = meanShare(own);
+            coverage.kinds[i] = kindOf(own);
+        });
     });
     return coverage;
 }
@@ -155,10 +137,9 @@ std::vector<std::uint8_t> facingCentres(const trace::SceneTracer& tracer, const 
     forEachTile(size, {}, [&](const Tile& tile) {
         TilePoints points;
         tracer.eyePoints(rays, tile.corner, tile.size, dvec2(0.5), std::span(points).first(tile.count()));
-        for (std::size_t i = 0; i < tile.count(); ++i) {
-            const ivec2 inTile(static_cast<int>(i) % tile.size.x, static_cast<int>(i) / tile.size.x);
-            facing[indexIn(size, tile.corner + inTile)] = points[i] && tracer.facesLight(points[i], light) ? 1 : 0;
-        }
+        forEachPixel(tile, size, [&](std::size_t i, std::size_t inTile, ivec2) {
+            facing[i] = points[inTile] && tracer.facesLight(points[inTile], light) ? 1 : 0;
+        });
     });
     return facing;
 }

@@ -42,9 +42,7 @@ public:
         return tracer_.visibility(*shown, light_);
     }
 
-    [[nodiscard]] std::uint32_t objectOf(const SurfacePoint& point) const {
-        return point ? tracer_.world().objects[point.primitive] : trace::kNoPrimitive;
-    }
+    [[nodiscard]] std::uint32_t objectOf(const SurfacePoint& point) const { return judge::objectOf(tracer_, point); }
 
 private:
     const trace::SceneTracer& tracer_;
@@ -59,7 +57,7 @@ Truth askCentres(const Asking& asking, ivec2 size, const std::stop_token& stop,
     forEachTile(size, stop, [&](const Tile& tile) {
         Answers centres;
         asking.ask(tile, dvec2(0.5), centres);
-        forEachPixel(tile, truth, [&](std::size_t i, std::size_t inTile, ivec2) {
+        forEachPixel(tile, size, [&](std::size_t i, std::size_t inTile, ivec2) {
             truth.visibility[i] = centres.visibility[inTile];
             truth.objects[i] = asking.objectOf(centres.points[inTile]);
         });
@@ -103,12 +101,12 @@ Truth exactTruth(const trace::SceneTracer& tracer, const scene::Camera& camera, 
         Answers around;
         for (int step = 0; step < kPointsAround; ++step) {
             asking.ask(tile, pointAround(step, rasterised.tieRadiusPx), around);
-            forEachPixel(tile, truth, [&](std::size_t i, std::size_t inTile, ivec2) {
+            forEachPixel(tile, size, [&](std::size_t i, std::size_t inTile, ivec2) {
                 if (around.visibility[inTile] != centres.visibility[inTile]) truth.ties[i] = 1;
             });
         }
         if (rasterised.primitives.empty()) return;
-        forEachPixel(tile, truth, [&](std::size_t i, std::size_t inTile, ivec2 pixel) {
+        forEachPixel(tile, size, [&](std::size_t i, std::size_t inTile, ivec2 pixel) {
             const std::uint32_t drawn = rasterised.primitives[i];
             if (drawn == centres.points[inTile].primitive) return;
             const std::optional<Visibility> other = asking.ofPrimitive(drawn, dvec2(pixel) + 0.5);

@@ -23,6 +23,16 @@ void forEachTile(ivec2 size, const std::stop_token& stop, const std::function<vo
     trace::parallelFor(static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y), workOn, stop);
 }
 
+std::uint32_t objectOf(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
+    return point ? tracer.world().objects[point.primitive] : trace::kNoPrimitive;
+}
+
+trace::Visibility visibilityOf(const trace::SceneTracer& tracer, int light, const trace::SurfacePoint& point, double share) {
+    if (!point) return trace::Visibility::noSurface;
+    if (!tracer.facesLight(point, light)) return trace::Visibility::turnedAway;
+    return share > 0.5 ? trace::Visibility::lit : trace::Visibility::shadowed;
+}
+
 Truth emptyTruth(ivec2 size) {
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     return {size,

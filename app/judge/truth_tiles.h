@@ -30,14 +30,22 @@ dvec2 pointAround(int step, double tieRadiusPx);
 /// Calls work(tile) for all tiles of a picture, on several threads. Throws trace::Stopped soon after `stop` was requested.
 void forEachTile(ivec2 size, const std::stop_token& stop, const std::function<void(const Tile&)>& work);
 
-/// Calls visit(index in the picture, index in the tile, pixel).
+/// Calls visit(index in a picture of that size, index in the tile, pixel).
 template <typename Visit>
-void forEachPixel(const Tile& tile, const Truth& truth, const Visit& visit) {
+void forEachPixel(const Tile& tile, ivec2 size, const Visit& visit) {
     for (int y = 0; y < tile.size.y; ++y)
-        for (int x = 0; x < tile.size.x; ++x)
-            visit(truth.index(tile.corner.x + x, tile.corner.y + y), static_cast<std::size_t>(y * tile.size.x + x),
-                  tile.corner + ivec2(x, y));
+        for (int x = 0; x < tile.size.x; ++x) {
+            const ivec2 pixel = tile.corner + ivec2(x, y);
+            visit(static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(pixel.x),
+                  static_cast<std::size_t>(y * tile.size.x + x), pixel);
+        }
 }
+
+/// The object that a point lies on; trace::kNoPrimitive for none.
+std::uint32_t objectOf(const trace::SceneTracer& tracer, const trace::SurfacePoint& point);
+
+/// What a point is that sees this share of a light with an area: lit where that is more than one half.
+trace::Visibility visibilityOf(const trace::SceneTracer& tracer, int light, const trace::SurfacePoint& point, double share);
 
 /// All without a surface, and no ties.
 Truth emptyTruth(ivec2 size);

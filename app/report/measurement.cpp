@@ -74,7 +74,7 @@ void Measurement::addFrame(const film::Moment& moment) {
                                 lengthPx(judged.boundary));
         measured.result.counters = rendered.result.counters;
         if (first) judgeFirst(measured, rendered, answers, judged, *reference);
-        if (first && coverageAsked_.points > 0) measured.result.coverage = coverageOf(slot, view, judged);
+        if (first && coverageAsked_.points > 0) measured.result.coverage = coverageOf(slot, view, answers, judged);
         onStep_();
     }
     moments_.push_back(moment);
@@ -153,16 +153,21 @@ void Measurement::judgeFirst(Entry& measured, const picture::RenderedFrame& rend
                       flip(picture.encoded, reference.encoded).mean};
 }
 
-/// Draws the slot once more, in as many samples as were asked for. Afterwards its target has that picture's size.
-CoverageErrors Measurement::coverageOf(picture::Slot& slot, const View& view, const Judged& judged) {
+/// `answers`: at the pixels' centres. Where more samples were asked for, the slot is drawn once more in as many; afterwards its
+/// target has that picture's size.
+CoverageErrors Measurement::coverageOf(picture::Slot& slot, const View& view, const picture::Answers& answers,
+                                       const Judged& judged) {
+    const int samples = coverageAsked_.samples;
     View larger = view;
-    larger.size = coverageAsked_.samples * size_;
+    larger.size = samples * size_;
     if (facingSamples_.empty()) facingSamples_ = facingCentres(session_.tracer(), larger.camera, larger.size, light_);
+    const auto errorsOf = [&](const picture::Answers& ofSamples) {
+        const PixelAnswers means = meansOfSamples(ofSamples.visibility.greyAlpha, facingSamples_, size_, samples);
+        return coverageErrors(judged.coverage, means, judged.truth.ties, samples);
+    };
+    if (samples == 1) return errorsOf(answers);
     const picture::RenderedFrame drawn = session_.render(slot, larger, picture::requestAnswers(*slot.info, light_));
-    const picture::Answers answers = picture::readAnswers(*slot.info, drawn, light_);
-    const PixelAnswers means =
-        meansOfSamples(answers.visibility.greyAlpha, facingSamples_, size_, coverageAsked_.samples);
-    return coverageErrors(judged.coverage, means, judged.truth.ties, coverageAsked_.samples);
+    return errorsOf(picture::readAnswers(*slot.info, drawn, light_));
 }
 
 /// The picture in a slot's target: linear light as it is shown, that is exposed and clamped, and the encoded bytes.

@@ -104,7 +104,8 @@ private:
                                              const picture::LightTruth& light, const View& view);
     void judgeFirst(Entry& measured, const picture::RenderedFrame& rendered, const picture::Answers& answers,
                     const Judged& judged, const Shown& reference);
-    judge::CoverageErrors coverageOf(picture::Slot& slot, const View& view, const Judged& judged);
+    judge::CoverageErrors coverageOf(picture::Slot& slot, const View& view, const picture::Answers& answers,
+                                     const Judged& judged);
     Shown shown(const picture::Slot& slot) const;
     Shown referencePicture(const View& view);
     picture::RenderedFrame draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses = false) {

@@ -4,6 +4,7 @@
 
 #include <regex>
 
+#include "app/drawing/labels.h"
 #include "tests/course/exercise_sheets.h"
 
 namespace shadowlab::course {
@@ -11,7 +12,7 @@ namespace {
 
 struct Word {
     std::string text;
-    dvec2 lower, upper; ///< pixels
+    drawing::Box box; ///< pixels
 };
 
 /// Letters are taken to be half as wide as high, and as high as digits are: a word that touches another one in such boxes hides part of it.
@@ -24,7 +25,7 @@ std::vector<Word> wordsOf(const ExerciseFigure& figure) {
         const std::string style = (*at)[4];
         const double shift = style.find("\"middle\"") != std::string::npos ? 0.5 : style.find("\"end\"") != std::string::npos ? 1 : 0;
         const dvec2 start(std::stod((*at)[1]) - shift * width, std::stod((*at)[2]));
-        words.push_back({(*at)[5], start - dvec2(0, 0.7 * size), start + dvec2(width, 0)});
+        words.push_back({(*at)[5], {start - dvec2(0, 0.7 * size), {width, 0.7 * size}}});
     }
     return words;
 }
@@ -38,8 +39,7 @@ TEST(ExerciseFigures, NoWordLiesOnAnother) {
             ++figures, words += static_cast<int>(all.size());
             for (std::size_t i = 0; i < all.size(); ++i)
                 for (std::size_t j = 0; j < i; ++j)
-                    EXPECT_FALSE(glm::all(glm::lessThan(all[i].lower, all[j].upper)) &&
-                                 glm::all(glm::lessThan(all[j].lower, all[i].upper)))
+                    EXPECT_FALSE(all[i].box.overlaps(all[j].box))
                         << exercise.kind << ": \"" << all[i].text << "\" on \"" << all[j].text << "\": " << exercise.given;
         }
     EXPECT_EQ(figures, 6 * kSeeds);

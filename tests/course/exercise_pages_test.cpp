@@ -4,6 +4,7 @@
 
 #include <map>
 #include <set>
+#include <string_view>
 
 #include "app/course/exercises/kinds.h"
 #include "app/course/exercises/page_filling.h"
@@ -14,6 +15,18 @@
 
 namespace shadowlab::course {
 namespace {
+
+/// Does the number stand there as a whole, not as a part of a longer one, nor with the other sign?
+bool hasNumber(const std::string& text, const std::string& number) {
+    constexpr std::string_view kOfNumbers = "0123456789.-";
+    for (std::size_t at = text.find(number); at != std::string::npos; at = text.find(number, at + 1)) {
+        const std::size_t end = at + number.size();
+        const bool isPartOfOther = (at > 0 && kOfNumbers.find(text[at - 1]) != std::string_view::npos) ||
+                                   (end < text.size() && kOfNumbers.find(text[end]) != std::string_view::npos);
+        if (!isPartOfOther) return true;
+    }
+    return false;
+}
 
 TEST(Exercises, KeySaysWhatWasComputed) {
     const std::set<std::string> inWords{"asked", "one", "A.lit",
@@ -27,13 +40,13 @@ TEST(Exercises, KeySaysWhatWasComputed) {
             for (const NamedNumber& result : exercise.results) {
                 if (inWords.contains(result.name) && exercise.kind != "two-patches") continue;
                 if (exercise.kind == "extrusion" && result.name == "pushed.y") continue;
-                ASSERT_NE(answers.find(printed(result.value)), std::string::npos)
+                ASSERT_TRUE(hasNumber(answers, printed(result.value)))
                     << exercise.kind << ", " << result.name << " = " << result.value << ": " << answers;
                 ++found;
             }
             for (const std::string name : {"F12", "F21"})
                 if (exercise.kind == "form-factor")
-                    ASSERT_NE(answers.find(printed(1e6 * in(exercise.results, name))), std::string::npos) << answers;
+                    ASSERT_TRUE(hasNumber(answers, printed(1e6 * in(exercise.results, name)))) << answers;
         }
     EXPECT_GT(found, 40 * kSeeds);
 }
@@ -88,7 +101,7 @@ TEST(Exercises, NoTwoSeedsMakeTheSameSheet) {
         for (const Exercise& exercise : sheets()[seed])
             all += exercise.given + "\n";
         given.insert(all);
-        bytes.insert(sheetPage(sheets()[seed], seed + 1, Paper::a4));
+        bytes.insert(sheetPage(sheets()[seed], 1, Paper::a4)); // one title for all: what differs are the exercises
     }
     EXPECT_EQ(given.size(), static_cast<std::size_t>(kSeeds));
     EXPECT_EQ(bytes.size(), static_cast<std::size_t>(kSeeds));
@@ -107,10 +120,11 @@ TEST(Exercises, SheetHoldsNoAnswer) {
         for (Exercise& exercise : without) {
             for (std::string& answer : exercise.answers) {
                 ASSERT_NE(key.find(drawing::proseMarkup(answer)), std::string::npos);
-                if (answer.size() < 16) continue; // a number alone may stand anywhere
-                ASSERT_EQ(sheet.find(drawing::proseMarkup(answer)), std::string::npos)
-                    << exercise.kind << ": " << answer;
-                ++longAnswers;
+                if (answer.size() >= 16) { // a number alone may stand anywhere
+                    ASSERT_EQ(sheet.find(drawing::proseMarkup(answer)), std::string::npos)
+                        << exercise.kind << ": " << answer;
+                    ++longAnswers;
+                }
                 answer.clear();
             }
             ASSERT_EQ(exercise.questions.size(), exercise.answers.size());
@@ -184,7 +198,7 @@ TEST(Exercises, EachKindComesBeforeOneComesAgain) {
 }
 
 TEST(Exercises, NoExerciseComesTwiceOnASheet) {
-    int different = 0;
+    ASSERT_GE(exerciseKinds().size(), 16u);
     for (const ExerciseKind& kind : exerciseKinds()) {
         std::set<std::string> asked;
         for (const Exercise& exercise : makeExercises(5, 48, {&kind})) {
@@ -194,9 +208,7 @@ TEST(Exercises, NoExerciseComesTwiceOnASheet) {
             asked.insert(all);
         }
         EXPECT_EQ(asked.size(), 48u) << kind.name;
-        different += static_cast<int>(asked.size());
     }
-    EXPECT_GE(different, 16 * 48);
     EXPECT_THROW(makeExercises(5, 65, {&findExerciseKind("refraction")}), Error) << "there are 64";
 }
 

@@ -142,7 +142,6 @@ TEST(SubpixelPoints, MeasureTheAreaBesideALine) {
         std::cout << count << " points: " << std::sqrt(squares / lines) << " RMS, " << largest << " at most\n";
         EXPECT_LT(std::sqrt(squares / lines), rms) << count;
         EXPECT_LT(largest, most) << count;
-        EXPECT_EQ(lines, 72720);
     }
 }
 
@@ -173,7 +172,6 @@ TEST(Coverage, OfHalfPlanesIsTheirArea) {
 // An upright edge leaves the share f of each pixel that it crosses lit. An answer of 0 or 1 by the centre is then wrong by
 // min(f, 1 - f) in each of them, and one of two columns of samples by 1/2 - f or so.
 TEST(Coverage, ErrorOfABinaryTechniqueIsKnown) {
-    int cases = 0;
     for (const int tenths : {1, 2, 3, 4, 6, 7, 8, 9}) {
         const double f = tenths / 10.0;
         const HalfShadow half = halfShadow(0, 5 + f);
@@ -191,9 +189,7 @@ TEST(Coverage, ErrorOfABinaryTechniqueIsKnown) {
         const CoverageErrors four = errorsOfBinary(snapshot, kPlaneSize, 256, 4); // columns at 1/8, 3/8, 5/8, 7/8
         const double nearest = std::round(4 * f) / 4;
         EXPECT_NEAR(four.edge.rmse, std::abs(f - nearest), tolerance) << f;
-        ++cases;
     }
-    EXPECT_EQ(cases, 8);
 }
 
 // A column is crossed in 16 rows, so pixels are left lit by all shares.

@@ -112,6 +112,7 @@ def judged(program, picture, scene, light, *further):
 def complaints_about(renderer, scene, program, folder, three):
     """Draws all pictures of one scene, and prints a line for each light."""
     exported = folder / f"{scene}-{renderer.format}"
+    shutil.rmtree(exported, ignore_errors=True)
     module = ["--three-module", three / "three.module.js"] if renderer.format == "three" else []
     run([program, "export", scene, "-o", exported, "--to", renderer.format, "--size", SIZE, *module])
     board = exported / "calibration.png"

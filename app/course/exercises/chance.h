@@ -7,17 +7,17 @@
 #include <vector>
 
 #include "techniques/foundation/base/mixed_bits.h"
+#include "techniques/foundation/base/random_bits.h"
 
 namespace shadowlab::course {
 
 class Chance {
 public:
-    explicit Chance(std::uint64_t seed) : state_(mixedBits(seed)) {}
+    explicit Chance(std::uint64_t seed) : bits_(mixedBits(seed) + kGoldenBits) {}
 
-    /// A whole number from `least` to `most`. The remainder of 64 bits is uneven by less than one in 10^17 for the few numbers that
-    /// exercises choose from.
+    /// A whole number from `least` to `most`.
     int between(int least, int most) {
-        return least + static_cast<int>(next() % static_cast<std::uint64_t>(most - least + 1));
+        return least + static_cast<int>(bits_.below(static_cast<std::uint64_t>(most - least + 1)));
     }
     bool coin() { return between(0, 1) == 1; }
     int sign() { return coin() ? 1 : -1; }
@@ -33,11 +33,7 @@ public:
     }
 
 private:
-    std::uint64_t next() {
-        state_ += kGoldenBits;
-        return mixedBits(state_);
-    }
-    std::uint64_t state_;
+    RandomBits bits_;
 };
 
 } // namespace shadowlab::course

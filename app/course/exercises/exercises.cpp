@@ -108,4 +108,8 @@ std::string printed(const dvec3& vector) {
     return "(" + printed(vector.x) + ", " + printed(vector.y) + ", " + printed(vector.z) + ")";
 }
 
+void addVector(std::vector<NamedNumber>& numbers, const std::string& name, const dvec3& vector) {
+    numbers.insert(numbers.end(), {{name + ".x", vector.x}, {name + ".y", vector.y}, {name + ".z", vector.z}});
+}
+
 } // namespace shadowlab::course

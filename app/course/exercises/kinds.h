@@ -32,5 +32,7 @@ Exercise askForTwoPatches(Chance& chance);
 std::string printed(double value);
 /// "(1, 2.5, -3)".
 std::string printed(const dvec3& vector);
+/// Adds its three numbers: "P.x", "P.y", "P.z".
+void addVector(std::vector<NamedNumber>& numbers, const std::string& name, const dvec3& vector);
 
 } // namespace shadowlab::course

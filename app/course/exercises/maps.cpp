@@ -1,13 +1,13 @@
 // Exercises about shadow maps: the two depths that are compared, and the place of a point in the map.
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <stdexcept>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/course/exercises/asked_scene.h"
 #include "app/course/exercises/kinds.h"
 #include "app/course/exercises/squared_paper.h"
+#include "app/figures/inks.h"
 
 namespace shadowlab::course {
 
@@ -78,8 +78,8 @@ Exercise askForMapDepths(Chance& chance) {
     paper.line({-10, 0}, {10, 0}, {"#1a1a1a", 4});
     paper.line({from, plateHeight}, {to, plateHeight}, {"#1a1a1a", 6});
     paper.point({0, lampHeight}, "lamp", "#e69f00");
-    paper.point({points[0], 0}, "A", "#0072b2", {8, -14});
-    paper.point({points[1], 0}, "B", "#0072b2", {8, -14});
+    paper.point({points[0], 0}, "A", figures::ink::kAsked, {8, -14});
+    paper.point({points[1], 0}, "B", figures::ink::kAsked, {8, -14});
     exercise.figure = {
         paper.drawing(),
         "Section on squared paper: a lamp above a plate above the floor, and two points A and B of the floor"};

@@ -54,15 +54,10 @@ Exercise askForFormFactor(Chance& chance) {
                             " millionths"};
     exercise.working = "$F_{12} = \\frac{\\cos\\theta_1 \\cos\\theta_2 A_2}{\\pi r^2}$, and $A_1 F_{12} = A_2 F_{21}$.";
     exercise.mistake = "The area is that of the patch which receives; each angle is to the patch's own normal.";
-    exercise.data = {{"first.x", first.x},
-                     {"first.y", first.y},
-                     {"first.z", first.z},
-                     {"second.x", second.x},
-                     {"second.y", second.y},
-                     {"second.z", second.z},
-                     {"upright", upright ? 1.0 : 0.0},
-                     {"area1", area1},
-                     {"area2", area2}};
+    addVector(exercise.data, "first", first);
+    addVector(exercise.data, "second", second);
+    exercise.data.insert(exercise.data.end(),
+                         {{"upright", upright ? 1.0 : 0.0}, {"area1", area1}, {"area2", area2}});
     exercise.results = {{"r", distance}, {"cos1", cos1}, {"cos2", cos2}, {"F12", there}, {"F21", back}};
     return exercise;
 }

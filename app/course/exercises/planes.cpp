@@ -6,6 +6,7 @@
 #include "app/course/exercises/asked_scene.h"
 #include "app/course/exercises/kinds.h"
 #include "app/course/exercises/squared_paper.h"
+#include "app/drawing/labels.h"
 #include "app/judge/truth.h"
 
 namespace shadowlab::course {
@@ -18,38 +19,22 @@ dvec3 flattened(const dvec4& plane, const dvec3& lamp, const dvec3& point) {
     return dvec3(image) / image.w;
 }
 
-std::vector<NamedNumber> numbersOf(const std::string& name, const dvec3& v) {
-    return {{name + ".x", v.x}, {name + ".y", v.y}, {name + ".z", v.z}};
-}
-
-void add(std::vector<NamedNumber>& all, const std::vector<NamedNumber>& more) {
-    all.insert(all.end(), more.begin(), more.end());
-}
-
-struct Rectangle {
-    dvec2 lower, upper;
-};
-
-bool overlap(const Rectangle& a, const Rectangle& b) {
-    return glm::all(glm::lessThan(a.lower, b.upper)) && glm::all(glm::lessThan(b.lower, a.upper));
-}
-
 /// In pixels, where the name of a point stands beside it: clear of the plate's outline and of the word "plate", in a figure whose y goes
 /// down. The last of six places where none is.
-dvec2 clearOffset(dvec2 place, const Rectangle& plate, dvec2 plateLabel) {
+dvec2 clearOffset(dvec2 place, const drawing::Box& plate, dvec2 plateLabel) {
     // A capital letter of the label's size, and five small ones around the middle of their baseline.
     constexpr double kLetter = SquaredPaper::kLabel / SquaredPaper::kSquare, kMargin = 0.08;
-    const Rectangle word{plateLabel - dvec2(1.6, 0.8) * kLetter, plateLabel + dvec2(1.6, 0.3) * kLetter};
+    const drawing::Box word{plateLabel - dvec2(1.6, 0.8) * kLetter, dvec2(3.2, 1.1) * kLetter};
     dvec2 offset;
     for (const dvec2 tried :
          {dvec2(12, -12), dvec2(-12, -12), dvec2(12, 31), dvec2(-12, 31), dvec2(16, 10), dvec2(-16, 10)}) {
         offset = tried;
         const dvec2 start = place + offset / SquaredPaper::kSquare - dvec2(offset.x < 0 ? 0.7 * kLetter : 0, 0);
-        const Rectangle letter{start - dvec2(kMargin, 0.75 * kLetter + kMargin),
-                               start + dvec2(0.7 * kLetter + kMargin, kMargin)};
-        const bool isInside =
-            glm::all(glm::greaterThan(letter.lower, plate.lower)) && glm::all(glm::lessThan(letter.upper, plate.upper));
-        if ((isInside || !overlap(letter, plate)) && !overlap(letter, word)) break;
+        const drawing::Box letter{start - dvec2(kMargin, 0.75 * kLetter + kMargin),
+                                  dvec2(0.7, 0.75) * kLetter + 2 * kMargin};
+        const bool isInside = glm::all(glm::greaterThan(letter.corner, plate.corner)) &&
+                              glm::all(glm::lessThan(letter.corner + letter.size, plate.corner + plate.size));
+        if ((isInside || !letter.overlaps(plate)) && !letter.overlaps(word)) break;
     }
     return offset;
 }
@@ -96,10 +81,10 @@ Exercise askForProjection(Chance& chance) {
                        printed(factor) + " times as wide and as long as the plate.";
     exercise.mistake = "The factor belongs to the way from the lamp: " + printed(factor) +
                        " P is not the shadow. And an area grows with the square.";
-    add(exercise.data, numbersOf("lamp", lamp));
-    add(exercise.data, numbersOf("P", point));
+    addVector(exercise.data, "lamp", lamp);
+    addVector(exercise.data, "P", point);
     exercise.data.push_back({"side", double(side)});
-    exercise.results = numbersOf("shadow", shadow);
+    addVector(exercise.results, "shadow", shadow);
     exercise.results.push_back({"area", side * side * factor * factor});
     return exercise;
 }
@@ -136,9 +121,9 @@ Exercise askForPlaneHeights(Chance& chance) {
     exercise.questions = {"How high above the plane are the lamp and the three points?",
                           "Which of the three can throw a shadow on the plane, and why not the others?"};
     std::string heights = "lamp " + printed(height(lamp)) + " m", caster, others;
-    exercise.data = numbersOf("N", normal);
+    addVector(exercise.data, "N", normal);
     exercise.data.push_back({"D", double(level)});
-    add(exercise.data, numbersOf("lamp", lamp));
+    addVector(exercise.data, "lamp", lamp);
     exercise.results = {{"lamp", height(lamp)}};
     for (std::size_t i = 0; i < 3; ++i) {
         const std::string name(1, names[i]);
@@ -151,7 +136,7 @@ Exercise askForPlaneHeights(Chance& chance) {
             others += " " + name +
                       (above < 0 ? " lies below the plane."
                                  : " is higher than the lamp: its image would be a false shadow (an anti-shadow).");
-        add(exercise.data, numbersOf(name, points[i]));
+        addVector(exercise.data, name, points[i]);
         exercise.results.push_back({name, above});
     }
     exercise.answers = {heights, caster + others};
@@ -228,7 +213,7 @@ Exercise askForShadowedPixels(Chance& chance) {
     const double labelY = lamp.y > centre.y ? lower.y - 0.15 : std::min(upper.y + 0.5, kPicture.y - 0.15);
     const dvec2 plateLabel(glm::clamp(centre.x, 0.8, kPicture.x - 0.8), labelY);
     paper.label(plateLabel, "plate");
-    paper.point(lamp, "L", "#e69f00", clearOffset(lamp, {lower, upper}, plateLabel));
+    paper.point(lamp, "L", "#e69f00", clearOffset(lamp, {lower, size}, plateLabel));
     exercise.figure = {paper.drawing(),
                        "A grid of pixels, a rectangle that is a plate seen from above, and the point L below the lamp"};
     exercise.data = {{"L.x", lamp.x},

@@ -9,14 +9,6 @@ namespace shadowlab::course {
 
 namespace {
 
-std::vector<NamedNumber> componentsOf(const std::string& name, const dvec3& v) {
-    return {{name + ".x", v.x}, {name + ".y", v.y}, {name + ".z", v.z}};
-}
-
-void append(std::vector<NamedNumber>& all, const std::vector<NamedNumber>& more) {
-    all.insert(all.end(), more.begin(), more.end());
-}
-
 /// Turns the two axes of a plane into two of space.
 dvec3 inSpace(dvec2 v, bool alongZ) { return alongZ ? dvec3(0, v.y, v.x) : dvec3(v.x, v.y, 0); }
 
@@ -61,9 +53,9 @@ Exercise askForReflection(Chance& chance) {
     exercise.working = "$\\cos\\theta_i = -u \\cdot \\mathbf{N}$ and $R = u + 2 \\cos\\theta_i \\mathbf{N}$. R has the "
                        "length 1 again.";
     exercise.mistake = "u points toward the surface, so $u \\cdot \\mathbf{N}$ is negative.";
-    append(exercise.data, componentsOf("u", u));
-    append(exercise.data, componentsOf("N", normal));
-    exercise.results = componentsOf("R", reflection);
+    addVector(exercise.data, "u", u);
+    addVector(exercise.data, "N", normal);
+    addVector(exercise.results, "R", reflection);
     exercise.results.push_back({"cosine", -glm::dot(u, normal)});
     return exercise;
 }
@@ -106,9 +98,9 @@ Exercise askForRefraction(Chance& chance) {
                        "Total reflection begins where $\\sin\\theta = \\eta$.";
     exercise.mistake =
         "$\\eta$ is the index on the ray's own side over that beyond: less than 1 on the way out of air.";
-    append(exercise.data, componentsOf("u", u));
+    addVector(exercise.data, "u", u);
     exercise.data.push_back({"index", index});
-    exercise.results = componentsOf("T", refraction);
+    addVector(exercise.results, "T", refraction);
     exercise.results.push_back({"limit", limit});
     return exercise;
 }

@@ -72,8 +72,9 @@ std::string headingOf(std::size_t number, const Exercise& exercise) {
 } // namespace
 
 std::string sheetPage(const std::vector<Exercise>& exercises, std::uint64_t seed, Paper paper) {
-    const std::string name = "Sheet " + std::to_string(seed);
-    std::string body = "<header>\n<h1>Shadows: exercises, sheet " + std::to_string(seed) +
+    const std::string name = "Sheet " + std::to_string(seed),
+                      title = "Shadows: exercises, sheet " + std::to_string(seed);
+    std::string body = "<header>\n<h1>" + title +
                        "</h1>\n<div class=\"who\"><span>Name</span><span>Date</span></div>\n</header>\n";
     for (std::size_t i = 0; i < exercises.size(); ++i) {
         const Exercise& exercise = exercises[i];
@@ -85,7 +86,7 @@ std::string sheetPage(const std::vector<Exercise>& exercises, std::uint64_t seed
             body += "<li>" + drawing::proseMarkup(question) + "<div class=\"room\"><i></i></div></li>\n";
         body += "</ol>\n</section>\n";
     }
-    return pageOf("Shadows: exercises, sheet " + std::to_string(seed), name, paper, "sheet", body);
+    return pageOf(title, name, paper, "sheet", body);
 }
 
 std::string keyPage(const std::vector<Exercise>& exercises, std::uint64_t seed, Paper paper) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/course/exercises/squared_paper.h"
 
-#include <cmath>
-
 namespace shadowlab::course {
 
 namespace {
@@ -61,8 +59,8 @@ void SquaredPaper::point(dvec2 place, std::string_view name, const std::string& 
                    .isBold = true});
 }
 
-void SquaredPaper::label(dvec2 place, std::string_view text, drawing::Anchor anchor, double size) {
-    drawing_.text(at(place), text, {.size = size, .anchor = anchor});
+void SquaredPaper::label(dvec2 place, std::string_view text, drawing::Anchor anchor) {
+    drawing_.text(at(place), text, {.size = kLabel, .anchor = anchor});
 }
 
 } // namespace shadowlab::course

@@ -21,8 +21,7 @@ public:
     void box(dvec2 lower, dvec2 upper, const std::string& fill);
     /// A dot with its name beside it.
     void point(dvec2 place, std::string_view name, const std::string& color, dvec2 labelOffsetPx = {12, -12});
-    void label(dvec2 place, std::string_view text, drawing::Anchor anchor = drawing::Anchor::middle,
-               double size = kLabel);
+    void label(dvec2 place, std::string_view text, drawing::Anchor anchor = drawing::Anchor::middle);
     [[nodiscard]] drawing::Drawing& drawing() { return drawing_; }
 
     static constexpr double kSquare = 56, kLabel = 27; ///< pixels; a square is 7 mm wide on paper

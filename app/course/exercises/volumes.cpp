@@ -8,6 +8,7 @@
 #include "app/course/exercises/asked_scene.h"
 #include "app/course/exercises/kinds.h"
 #include "app/course/exercises/squared_paper.h"
+#include "app/figures/inks.h"
 #include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::course {
@@ -57,15 +58,14 @@ std::optional<CountScene> randomSection(Chance& chance) {
         scene.boxes.push_back({lower, lower + size});
         x += static_cast<int>(size.x) + chance.between(2, 3);
     }
+    if (std::abs(scene.eye.x - scene.point) < 3) return std::nullopt;
     for (const SectionBox& box : scene.boxes) {
-        if (box.upper.y > 7 || box.upper.x > 9) return std::nullopt;
         const dvec2 margin(0.5);
         const auto isIn = [&](dvec2 p) {
             return glm::all(glm::greaterThan(p, box.lower - margin)) && glm::all(glm::lessThan(p, box.upper + margin));
         };
         if (isIn(scene.eye)) return std::nullopt;
-        if (box.lower.y < 1 || std::abs(scene.eye.x - scene.point) < 3) return std::nullopt;
-        // Neither the lamp nor the eye in line with a side or a level of the box: such a face would be seen edge-on.
+        // The lamp is not in line with a side of the box: it would see such a face edge-on.
         for (const double side : {box.lower.x, box.upper.x})
             if (std::abs(scene.lamp.x - side) < 0.5) return std::nullopt;
     }
@@ -189,8 +189,8 @@ Exercise askForFaceCounts(Chance& chance) {
     for (const SectionBox& box : section->boxes)
         paper.box(box.lower, box.upper, "#d9d9d9");
     paper.point(section->lamp, "lamp", "#e69f00");
-    paper.point(section->eye, "eye", "#1a1a1a", section->eye.x > 7 ? dvec2(-12, -12) : dvec2(12, -12));
-    paper.point({section->point, 0}, "P", "#0072b2", {8, -14});
+    paper.point(section->eye, "eye", figures::ink::kEye, section->eye.x > 7 ? dvec2(-12, -12) : dvec2(12, -12));
+    paper.point({section->point, 0}, "P", figures::ink::kAsked, {8, -14});
     exercise.figure = {paper.drawing(),
                        "Section on squared paper: a lamp, boxes in the air, the floor, the eye, and the point P"};
     exercise.data = {{"lamp.x", section->lamp.x},
@@ -251,10 +251,11 @@ Exercise askForExtrusion(Chance& chance) {
                        printed(down) + " m of height. " + printed(plateHeight) + " m more of height take " +
                        printed(multiple - 1) + " times as much.";
     exercise.mistake = printed(plateHeight) + " m, the way straight down.";
-    exercise.data = {{"lamp.x", lamp.x},    {"lamp.y", lamp.y},    {"lamp.z", lamp.z},
-                     {"width", 2 * half.x}, {"depth", 2 * half.y}, {"plateHeight", plateHeight}};
-    exercise.results = {
-        {"least", least}, {"pushed.x", pushed.x}, {"pushed.y", pushed.y}, {"pushed.z", pushed.z}, {"middle", middle}};
+    addVector(exercise.data, "lamp", lamp);
+    exercise.data.insert(exercise.data.end(),
+                         {{"width", 2 * half.x}, {"depth", 2 * half.y}, {"plateHeight", plateHeight}});
+    exercise.results = {{"least", least}, {"middle", middle}};
+    addVector(exercise.results, "pushed", pushed);
     return exercise;
 }
 

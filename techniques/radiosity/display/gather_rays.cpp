@@ -6,8 +6,8 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/base/mixed_bits.h"
 #include "techniques/foundation/math/perpendicular.h"
+#include "techniques/foundation/math/random_pair.h"
 #include "techniques/foundation/scene/query/shading.h"
 
 namespace shadowlab::radiosity {
@@ -26,11 +26,7 @@ constexpr double kGolden = 0.6180339887498949;
 /// A place of its own in the unit square for each pixel, by which the sequence of all pixels is shifted (R. Cranley and T. Patterson,
 /// "Randomization of Number Theoretic Methods for Multiple Integration", SIAM Journal on Numerical Analysis 13, 1976): else all pixels
 /// would make the same error, and one would see it as edges.
-dvec2 shiftOf(ivec2 pixel) {
-    const std::uint64_t bits =
-        mixedBits(static_cast<std::uint32_t>(pixel.x) | (static_cast<std::uint64_t>(static_cast<std::uint32_t>(pixel.y)) << 32));
-    return dvec2(static_cast<double>(bits & 0xffffffffu), static_cast<double>(bits >> 32)) * 0x1p-32;
-}
+dvec2 shiftOf(ivec2 pixel) { return randomPair(pixelKey(pixel)); }
 
 /// The points of a sequence whose beginnings fill the unit square evenly, however long they are: multiples of the powers of 1 / p,
 /// where p^3 = p + 1 (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "techniques/foundation/math/radical_inverse.h"
+
 namespace shadowlab::radiosity {
 
 namespace {
@@ -11,14 +13,6 @@ namespace {
 dvec3 inTriangle(const dvec3& a, const dvec3& b, const dvec3& c, double s, double t) {
     return s + t > 1 ? a + (1 - s) * (b - a) + (1 - t) * (c - a)
                      : a + s * (b - a) + t * (c - a); // the square, folded along its diagonal
-}
-
-/// The radical inverse: the digits of i in that base, mirrored at the point.
-double radicalInverse(int i, int base) {
-    double value = 0, digit = 1.0 / base;
-    for (; i > 0; i /= base, digit /= base)
-        value += digit * (i % base);
-    return value;
 }
 
 } // namespace

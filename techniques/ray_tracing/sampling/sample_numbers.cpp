@@ -5,18 +5,13 @@
 #include <cmath>
 
 #include "techniques/foundation/base/mixed_bits.h"
+#include "techniques/foundation/math/random_pair.h"
 
 namespace shadowlab::ray_tracing {
 
 namespace {
 
 double fraction(std::uint32_t bits) { return bits * 0x1p-32; }
-
-/// Two pseudo-random numbers.
-dvec2 chance(std::uint64_t key) {
-    const std::uint64_t bits = mixedBits(key);
-    return {fraction(static_cast<std::uint32_t>(bits)), fraction(static_cast<std::uint32_t>(bits >> 32))};
-}
 
 /// A random permutation of 0 ... count - 1 that belongs to the key, applied to `place`: four rounds that each permute the numbers
 /// below a power of two, repeated while the result is not below `count` (cycle walking, Black and Rogaway 2002). Each round can
@@ -91,9 +86,7 @@ dvec2 evenPoint(std::uint32_t index, std::uint64_t key) {
 
 SampleNumbers::SampleNumbers(const SamplePattern& pattern, ivec2 pixel, std::uint32_t sample)
     : pattern_(pattern),
-      pixelKey_(mixedBits(mixedBits(static_cast<std::uint32_t>(pixel.x) |
-                            (static_cast<std::uint64_t>(static_cast<std::uint32_t>(pixel.y)) << 32)) +
-                      static_cast<std::uint32_t>(pattern.seed))),
+      pixelKey_(mixedBits(mixedBits(pixelKey(pixel)) + static_cast<std::uint32_t>(pattern.seed))),
       sample_(sample) {
     if (pattern.spread == SamplePattern::Spread::regular) pixelKey_ = mixedBits(static_cast<std::uint32_t>(pattern.seed));
 }
@@ -105,7 +98,7 @@ std::uint64_t SampleNumbers::dimensionOf(Purpose purpose, std::uint64_t place) c
 dvec2 SampleNumbers::pair(Purpose purpose, std::uint64_t place, std::uint32_t attempt) const {
     using enum SamplePattern::Spread;
     const std::uint64_t dimension = dimensionOf(purpose, place);
-    const dvec2 free = chance(dimension + mixedBits(sample_ + (static_cast<std::uint64_t>(attempt + 1) << 32)));
+    const dvec2 free = randomPair(dimension + mixedBits(sample_ + (static_cast<std::uint64_t>(attempt + 1) << 32)));
     if (attempt > 0 || pattern_.spread == random) return free;
     if (pattern_.spread == lowDiscrepancy) return evenPoint(sample_, dimension);
     const double amount = pattern_.spread == regular ? 0.0 : pattern_.jitter;
@@ -128,7 +121,7 @@ std::optional<std::array<dvec2, 2>> SampleNumbers::cell(Purpose purpose, std::ui
 double SampleNumbers::one(Purpose purpose) const {
     using enum SamplePattern::Spread;
     const std::uint64_t dimension = dimensionOf(purpose, 0);
-    const double free = chance(dimension + mixedBits(sample_)).x;
+    const double free = randomPair(dimension + mixedBits(sample_)).x;
     if (pattern_.spread == random) return free;
     if (pattern_.spread == lowDiscrepancy) return evenPoint(sample_, dimension).x;
     const auto count = static_cast<std::uint32_t>(pattern_.count);
