@@ -20,7 +20,7 @@ namespace shadowlab::foreign {
 struct Sample {
     ivec2 pixel{0};
     std::size_t index = 0;       ///< of the pixel, rows from the top
-    trace::SurfacePoint point;   ///< that its centre sees; none: the background
+    trace::SurfacePoint point;   ///< that its centre sees: always a surface
     bool isLit = false;          ///< in the picture
     bool shouldBeLit = false;
     double weight = 1;           ///< pixels that it stands for
@@ -65,6 +65,9 @@ inline Prediction ofBackground(const Evidence& evidence, const Sample& sample) {
     if (evidence.found.isSame.empty()) return Prediction::dark;
     return predicted(evidence.found.isSame[sample.index] == 0 || sample.isLit);
 }
+
+/// Calls f with the index of each sample, on all cores; of two calls none may write what the other reads.
+void forSamples(const Evidence& evidence, const std::function<void(std::size_t sample)>& f);
 
 /// Predictions for all samples, found on all cores.
 Predictions predictAll(const Evidence& evidence, const std::function<Prediction(const Sample&)>& rule);

@@ -131,7 +131,7 @@ void addPattern(const Evidence& evidence, Cause cause, const std::function<bool(
 }
 
 std::string pixelShare(const Evidence& evidence, const Predictions& predictions) {
-    return picture::fixed(100 * explained(evidence, predictions), 0) + " % of the wrong pixels";
+    return percentText(explained(evidence, predictions)) + " of the wrong pixels";
 }
 
 /// How far texels reach across the true boundary: twice what three of four wrong pixels near it do.

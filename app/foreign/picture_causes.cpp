@@ -53,8 +53,6 @@ constexpr double kWorthRays = 0.25;
 /// Two kinds of evidence count for more than one.
 constexpr double kSeenInShading = 1.3;
 
-std::string percentText(double share) { return picture::fixed(100 * share, 0) + " %"; }
-
 void addOfPicture(const Evidence& evidence, Cause cause, std::vector<Cause>& causes) {
     cause.isOfPicture = true;
     addIfExplains(evidence, std::move(cause), causes);

@@ -2,6 +2,7 @@
 #include "app/foreign/rays_of_causes.h"
 
 #include "techniques/foundation/scene/query/facing.h"
+#include "techniques/foundation/scene/query/shading.h"
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
 #include "techniques/foundation/trace/bvh/bvh_traverse.h"
 
@@ -38,6 +39,18 @@ bool isBlockedBy(const trace::SceneTracer& tracer, const trace::Ray& ray, std::u
     trace::MayHit mayHit = tracer.mayStandIn(leftOut);
     mayHit.flags = flags.data();
     return tracer.bvh().any(ray, mayHit, [&](std::uint32_t p, const dvec3& at) { return mayHit.inHole(p, at); }) != trace::kNoPrimitive;
+}
+
+Predictions withLight(const Evidence& evidence, const scene::Light& light, std::span<const std::uint8_t> casts) {
+    const trace::SceneTracer& tracer = evidence.tracer;
+    const bool everywhere = scene::shinesEverywhere(light);
+    return predictAll(evidence, [&](const Sample& sample) {
+        const trace::Ray ray = rayToLight(tracer, sample.point, light);
+        if (glm::dot(flatNormalWorld(tracer, sample.point), ray.directionCentred) <= 0) return Prediction::dark;
+        if (!everywhere && !scene::lightShinesTo(light, tracer.positionWorld(sample.point))) return Prediction::dark;
+        if (!tracer.objectOf(sample.point).receivesShadow) return Prediction::lit;
+        return predicted(!isBlockedBy(tracer, ray, sample.point.primitive, casts));
+    });
 }
 
 std::vector<std::int8_t> sidesOfLight(const trace::SceneTracer& tracer, const scene::Light& light) {

@@ -7,7 +7,6 @@
 
 #include "app/foreign/causes.h"
 #include "app/foreign/rays_of_causes.h"
-#include "app/picture/verdict_reasons.h"
 #include "techniques/foundation/scene/query/facing.h"
 #include "techniques/foundation/scene/query/shading.h"
 #include "techniques/foundation/trace/bvh/bvh_traverse.h"
@@ -93,7 +92,7 @@ public:
         constexpr std::size_t kMost = 6; // of which each is asked for all samples
         std::map<std::uint32_t, double> weights;
         for (const Sample& sample : evidence_.samples) {
-            if (!sample.isWrong() || !sample.point || sample.isLit != casters) continue;
+            if (!sample.isWrong() || sample.isLit != casters) continue;
             std::uint32_t primitive = sample.point.primitive;
             if (casters) primitive = evidence_.tracer.blocker(sample.point, evidence_.light);
             if (primitive != trace::kNoPrimitive) weights[evidence_.tracer.world().objects[primitive]] += sample.weight;
@@ -149,12 +148,10 @@ struct Tried {
     double likelihood = 1;
 };
 
-std::string sharePercent(double share) { return picture::fixed(100 * share, 0) + " %"; }
-
 void tryOut(const Evidence& evidence, const Sides& sides, Tried tried, const std::string& name, std::vector<Cause>& causes) {
     Cause cause{tried.id, "", tried.remedy, sides.predictions(tried.rules)};
     cause.likelihood = tried.likelihood;
-    cause.what = tried.what + name + ": this explains " + sharePercent(explained(evidence, cause.predictions)) + " of the wrong pixels";
+    cause.what = tried.what + name + ": this explains " + percentText(explained(evidence, cause.predictions)) + " of the wrong pixels";
     addIfExplains(evidence, std::move(cause), causes);
 }
 
