@@ -38,7 +38,8 @@ struct Evidence {
     const judge::Truth& truth;
     const FoundVisibility& found;
     const judge::Judgement& judgement;
-    judge::Grid<float> boundaryPx; ///< distanceToBoundary() of the truth
+    const std::vector<judge::BoundaryEdge>& boundary; ///< trueBoundary() of the truth
+    const judge::Grid<float>& boundaryPx;             ///< distanceToBoundary() of it
     int light = 0;
     std::optional<Orientation> reference{}; ///< how the reference of a pair lies, by its shading; none: no pair, or it does not tell
     std::vector<Sample> samples{};
