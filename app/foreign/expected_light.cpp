@@ -47,8 +47,9 @@ ExpectedLight expectedLight(const trace::SceneTracer& tracer, const scene::Camer
                     expected.ofLight[pixel] = vec3(added(normalWorld));
                     expected.ofLightFlat[pixel] = vec3(added(flatNormalWorld(tracer, point)));
                 } else {
-                    remaining += added(normalWorld);
-                    expected.ofOthers[pixel] += vec3(added(normalWorld));
+                    const dvec3 ofOther = added(normalWorld);
+                    remaining += ofOther;
+                    expected.ofOthers[pixel] += vec3(ofOther);
                 }
             }
             expected.remaining[pixel] = vec3(remaining);

@@ -1,7 +1,6 @@
 // Mistakes of the whole picture. What another view would show is first looked up in the truth of this one, to the nearest pixel, and
 // then asked with rays.
 // SPDX-License-Identifier: MIT
-#include <cmath>
 
 #include "app/foreign/calibration_words.h"
 #include "app/foreign/causes.h"

@@ -35,6 +35,10 @@ std::vector<std::uint8_t> castingTriangles(const Evidence& evidence) {
     return {casts.begin(), casts.end()};
 }
 
+trace::RayHit closestOf(const trace::SceneTracer& tracer, const trace::Ray& ray, const trace::MayHit& mayHit) {
+    return tracer.bvh().closest(ray, mayHit, [&](std::uint32_t p, const dvec3& at) { return mayHit.inHole(p, at); });
+}
+
 bool isBlockedBy(const trace::SceneTracer& tracer, const trace::Ray& ray, std::uint32_t leftOut, std::span<const std::uint8_t> flags) {
     trace::MayHit mayHit = tracer.mayStandIn(leftOut);
     mayHit.flags = flags.data();
@@ -69,7 +73,7 @@ std::vector<Crossing> crossings(const trace::SceneTracer& tracer, const trace::R
     trace::MayHit mayHit = tracer.mayStandIn(leftOut);
     mayHit.flags = flags.data();
     for (int i = 0; i < kMost; ++i) {
-        const trace::RayHit hit = tracer.bvh().closest(rest, mayHit, [&](std::uint32_t p, const dvec3& at) { return mayHit.inHole(p, at); });
+        const trace::RayHit hit = closestOf(tracer, rest, mayHit);
         if (!hit) break;
         const trace::SurfacePoint point = tracer.surfacePoint(ray.directionCentred, hit);
         found.push_back({hit.primitive, hit.t, point.eyeOnFront});

@@ -16,6 +16,8 @@ double metresPerT(const trace::Ray& ray, const scene::Light& light);
 
 /// For each triangle 1 if it casts shadows of that light.
 std::vector<std::uint8_t> castingTriangles(const Evidence& evidence);
+/// The first triangle on the ray that `mayHit` lets through.
+trace::RayHit closestOf(const trace::SceneTracer& tracer, const trace::Ray& ray, const trace::MayHit& mayHit);
 /// Does any of the flagged triangles stand on the ray? The point's own does not.
 bool isBlockedBy(const trace::SceneTracer& tracer, const trace::Ray& ray, std::uint32_t leftOut, std::span<const std::uint8_t> flags);
 

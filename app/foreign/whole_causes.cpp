@@ -6,8 +6,6 @@ namespace shadowlab::foreign {
 
 namespace {
 
-using trace::Visibility;
-
 void addWhole(const Evidence& evidence, Cause cause, std::vector<Cause>& causes) {
     cause.isOfPicture = true;
     addIfExplains(evidence, std::move(cause), causes);
@@ -16,10 +14,7 @@ void addWhole(const Evidence& evidence, Cause cause, std::vector<Cause>& causes)
 } // namespace
 
 void addWholeCauses(const Evidence& evidence, std::vector<Cause>& causes) {
-    const auto facing = [&](const Sample& sample) {
-        const Visibility truth = evidence.truth.visibility[sample.index];
-        return truth == Visibility::lit || truth == Visibility::shadowed;
-    };
+    const auto facing = [&](const Sample& sample) { return facesTheLight(evidence.truth.visibility[sample.index]); };
     double lit = 0, dark = 0;
     for (const Sample& sample : evidence.samples)
         if (facing(sample)) (sample.isLit ? lit : dark) += sample.weight;

@@ -73,11 +73,16 @@ std::optional<Region> worstRegion(const Evidence& evidence) {
     Region region = std::move(worst->region);
     const auto most = std::ranges::max_element(worst->objects, {}, [](const auto& entry) { return entry.second; });
     if (most->first != trace::kNoPrimitive) region.object = evidence.tracer.scene().objects[most->first].name;
+    return region;
+}
+
+std::vector<std::uint8_t> samplesIn(const Evidence& evidence, const Region& region) {
+    std::vector<std::uint8_t> within;
     for (const Sample& sample : evidence.samples) {
         const ivec2 from = sample.pixel - region.corner;
-        region.samples.push_back(from.x >= 0 && from.y >= 0 && from.x < region.size.x && from.y < region.size.y ? 1 : 0);
+        within.push_back(from.x >= 0 && from.y >= 0 && from.x < region.size.x && from.y < region.size.y ? 1 : 0);
     }
-    return region;
+    return within;
 }
 
 } // namespace shadowlab::foreign

@@ -76,7 +76,7 @@ Json diagnosisJson(const JudgedPicture& judged) {
 }
 
 Json encodingJson(const foreign::SeenEncoding& encoding) {
-    return {{"curve", foreign::toText(encoding.curve)}, {"levels", encoding.levels}, {"levelsOfRightCurve", encoding.levelsOfSrgb}};
+    return {{"curve", foreign::toText(encoding.curve)}, {"levels", encoding.levels}, {"levelsOfRightCurve", encoding.levelsOfRight}};
 }
 
 std::string numberText(const std::optional<double>& number, int decimals) { return number ? picture::fixed(*number, decimals) : "-"; }
@@ -88,7 +88,7 @@ const char* besideText(foreign::Beside beside) {
 std::string encodingText(const JudgeReport& report, const foreign::SeenEncoding& encoding) {
     const std::string which = report.reference.empty() ? "the penumbras are" : "the reference is";
     return which + " encoded with " + std::string(foreign::toText(encoding.curve)) + (report.reference.empty() ? ", not as it is" : ", not with sRGB") +
-           ": so read, its pixels are " + picture::fixed(encoding.levels, 1) + " levels of 255 off in the middle, else " + picture::fixed(encoding.levelsOfSrgb, 1);
+           ": so read, its pixels are " + picture::fixed(encoding.levels, 1) + " levels of 255 off in the middle, else " + picture::fixed(encoding.levelsOfRight, 1);
 }
 
 std::string calibrationText(const JudgeReport& report) {

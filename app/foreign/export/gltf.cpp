@@ -1,7 +1,6 @@
 // glTF 2.0, one binary file (.glb): meshes, materials with their images, a camera, and lights by KHR_lights_punctual.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cstring>
 #include <set>
 
 #include <nlohmann/json.hpp>

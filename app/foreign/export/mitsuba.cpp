@@ -2,7 +2,6 @@
 // samples anywhere in a pixel and cannot leave shadows out, so its pictures are not judged; the rays of the script go through pixel centres.
 // SPDX-License-Identifier: MIT
 #include <bit>
-#include <cstring>
 
 #include "app/drawing/markup.h"
 #include "app/foreign/export/format.h"
