@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/json/judge_report.h"
 
-#include <glm/vector_relational.hpp>
-
 #include "app/cli/json/json_values.h"
 #include "app/cli/text_table.h"
 #include "app/picture/verdict_reasons.h"
@@ -13,8 +11,6 @@ namespace {
 
 using foreign::Calibration;
 using foreign::JudgedPicture;
-
-const char* truthName(judge::TruthOf truth) { return truth == judge::TruthOf::area ? "area" : "centre"; }
 
 Json calibrationJson(const Calibration& calibration) {
     Json faults = Json::array();
@@ -47,8 +43,7 @@ Json judgedJson(const JudgedPicture& judged) {
     json["coreErrors"] = judged.core;
     json["stray"] = counts.stray;
     json["edgeErrorPx"] = numberJson(judged.errors.edgeErrorPx);
-    json["boundaryPx"] = nullptr;
-    if (judged.boundaryPx) json["boundaryPx"] = {{"mean", judged.boundaryPx->mean}, {"p95", judged.boundaryPx->p95}, {"max", judged.boundaryPx->max}};
+    json["boundaryPx"] = displacementJson(judged.boundaryPx);
     json["rmse"] = counts.rmse;
     json["lightStrength"] = judged.found.strength;
     json["clipped"] = judged.found.clipped;
