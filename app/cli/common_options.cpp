@@ -7,6 +7,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
 #include "app/picture/limits.h"
+#include "app/picture/session.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/nearest_names.h"
 #include "techniques/foundation/scene/load/message_text.h"
@@ -33,6 +34,12 @@ scene::Snapshot loadSeenFrom(const std::string& scene, const std::string& view, 
     }
     throw Error(ExitStatus::usage, "--view: " + scene::inQuotes(view) + " is no view of " + scene::shown(scene) + "; " +
                                        (names.empty() ? "it has none beside its own camera: leave --view out" : suggestion(view, names)));
+}
+
+int lightWithShadows(const scene::Scene& scene, const std::string& asked, const std::string& name, const std::string& done) {
+    if (scene.lights.empty())
+        throw Error(ExitStatus::badInput, scene::shown(asked) + ": has no light whose shadows could be " + done + "; add one under \"lights\"");
+    return name.empty() ? 0 : picture::lightIndex(scene, name);
 }
 
 void describeNormals(DescribedOptions& add) {

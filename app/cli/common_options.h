@@ -17,6 +17,10 @@ void describeScene(DescribedOptions& add);
 void describeView(DescribedOptions& add);
 /// The scene, seen from the view of that name; from its own camera where `view` is empty. Throws Error, also for an unknown view (usage).
 scene::Snapshot loadSeenFrom(const std::string& scene, const std::string& view, const scene::LoadOptions& loading);
+/// The index of the light of that name; of the first where `name` is empty. Truth is visibility of a light: without one, there is nothing to
+/// be right or wrong about. `asked`: the scene as it was asked for; `done`: to its shadows, "measured". Throws Error (badInput) where the
+/// scene has no light, and for an unknown name.
+int lightWithShadows(const scene::Scene& scene, const std::string& asked, const std::string& name, const std::string& done);
 /// --normals: those of a mesh that is given by itself, as a scene file says it of its objects.
 void describeNormals(DescribedOptions& add);
 /// Nothing where the option is not written. Throws Error (usage) where `scene` is no mesh.

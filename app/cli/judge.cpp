@@ -14,7 +14,6 @@
 #include "app/cli/option_values.h"
 #include "app/cli/text_table.h"
 #include "app/context/assets.h"
-#include "app/drawing/paint.h"
 #include "app/figures/figures.h"
 #include "app/foreign/foreign_picture.h"
 #include "app/picture/session.h"
@@ -85,12 +84,6 @@ JudgeOptions judgeOptions(const GivenOptions& given) {
     options.allowed = given.allowedFolders();
     options.normals = normalsFrom(given, options.scene);
     return options;
-}
-
-int lightToJudge(const scene::Scene& scene, const JudgeOptions& options) {
-    if (scene.lights.empty())
-        throw Error(ExitStatus::badInput, scene::shown(options.scene) + ": has no light whose shadows could be judged; add one under \"lights\"");
-    return options.light.empty() ? 0 : picture::lightIndex(scene, options.light);
 }
 
 /// The picture's errors, each pixel as it is.
@@ -167,7 +160,7 @@ int judgePicture(const JudgeOptions& options) {
     for (const std::filesystem::path& file : {options.picture, options.reference, options.calibration})
         if (!file.empty()) image::keepInput(file);
     const scene::Snapshot scene = loadSeenFrom(options.scene, options.view, loadOptions(options.allowed, options.normals));
-    const int light = lightToJudge(*scene, options);
+    const int light = lightWithShadows(*scene, options.scene, options.light, "judged");
     for (const std::string& remark : scene->notes)
         note(remark);
 

@@ -96,14 +96,6 @@ MeasureOptions measureOptions(const GivenOptions& given) {
     return options;
 }
 
-/// Truth is visibility of a light: without one, there is nothing to be right or wrong about.
-int lightToMeasure(const scene::Scene& scene, const std::string& asked, const std::string& name) {
-    if (scene.lights.empty())
-        throw Error(ExitStatus::badInput,
-                    scene::shown(asked) + ": has no light whose shadows could be measured; add one under \"lights\"");
-    return name.empty() ? 0 : picture::lightIndex(scene, name);
-}
-
 void requireVisibility(const TechniqueInfo& info) {
     if (publishes(info, kVisibilityStage)) return;
     throw Error(ExitStatus::usage, "'" + std::string(info.id) +
@@ -151,7 +143,7 @@ int measure(const MeasureOptions& options) {
     }
     lab::applySettings(slots, options.settings);
     const scene::Snapshot base = loadSeenFrom(options.scene, options.view, loadOptions(options.allowed, options.normals));
-    const int light = lightToMeasure(*base, options.scene, options.light);
+    const int light = lightWithShadows(*base, options.scene, options.light, "measured");
     const film::Motion motion = motionOf(options.motion, *base);
 
     context = context::createContext(options.backend);

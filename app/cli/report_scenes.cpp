@@ -77,11 +77,7 @@ private:
                                      : scene::builtInScenes(context::assetsRoot());
         for (const std::string& name : names) {
             scene::Snapshot scene = scene::loadScene(name, loadOptions(options_.allowed));
-            if (scene->lights.empty())
-                throw Error(ExitStatus::badInput,
-                            scene::shown(name) +
-                                ": has no light whose shadows could be measured; add one under \"lights\"");
-            const int light = options_.light.empty() ? 0 : picture::lightIndex(*scene, options_.light);
+            const int light = lightWithShadows(*scene, name, options_.light, "measured");
             if (std::ranges::any_of(scenes_, [&](const Shown& shown) { return shown.scene->name == scene->name; }))
                 throw Error(ExitStatus::usage,
                             "two of the scenes are called '" + scene->name + "'; give them files of different names");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/foreign/statistics.h"
 #include "app/judge/grid.h"
 
 namespace shadowlab::foreign {
@@ -56,9 +57,9 @@ judge::Grid<float> boardPoints(const BoardLayout& board, ivec2 size, ivec2 point
     return greys;
 }
 
-/// Pearson's correlation between the picture and the board, laid into it with that scale.
+/// The correlation between the picture and the board, laid into it with that scale.
 double likeness(const judge::Grid<float>& seen, const judge::Grid<float>& board, const Orientation& orientation, const dvec2& scale) {
-    double sumA = 0, sumB = 0, sumAA = 0, sumBB = 0, sumAB = 0;
+    Correlation correlation;
     for (int y = 0; y < seen.height; ++y)
         for (int x = 0; x < seen.width; ++x) {
             dvec2 from = (dvec2(x, y) + 0.5) / dvec2(seen.width, seen.height) - 0.5; // shares of the picture
@@ -68,13 +69,9 @@ double likeness(const judge::Grid<float>& seen, const judge::Grid<float>& board,
             const dvec2 place = (from / scale + 0.5) * dvec2(board.width, board.height);
             const ivec2 point(glm::floor(place));
             const bool within = point.x >= 0 && point.y >= 0 && point.x < board.width && point.y < board.height;
-            const double a = static_cast<double>(seen.at(x, y)), b = within ? static_cast<double>(board.at(point.x, point.y)) : 0.0;
-            sumA += a, sumB += b, sumAA += a * a, sumBB += b * b, sumAB += a * b;
+            correlation.add(static_cast<double>(seen.at(x, y)), within ? static_cast<double>(board.at(point.x, point.y)) : 0.0);
         }
-    const double n = static_cast<double>(seen.values.size());
-    const double varianceA = sumAA - sumA * sumA / n, varianceB = sumBB - sumB * sumB / n;
-    if (varianceA <= 1e-12 || varianceB <= 1e-12) return 0;
-    return (sumAB - sumA * sumB / n) / std::sqrt(varianceA * varianceB);
+    return correlation.value();
 }
 
 } // namespace

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include <glm/gtc/constants.hpp>
-
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/load/message_text.h"
 #include "techniques/foundation/scene/model/shapes.h"

@@ -8,6 +8,8 @@
 
 namespace shadowlab::foreign {
 
+std::string percentText(double share) { return picture::fixed(100 * share, 0) + " %"; }
+
 std::string metresText(double metres) {
     return metres < 0.1 ? picture::fixed(100 * metres, metres < 0.01 ? 2 : 1) + " cm" : picture::fixed(metres, 2) + " m";
 }

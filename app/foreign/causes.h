@@ -28,6 +28,8 @@ void addVolumeCauses(const Evidence& evidence, std::vector<Cause>& causes);
 /// Of patterns: acne, holes, texels, soft edges.
 void addPatternCauses(const Evidence& evidence, std::vector<Cause>& causes);
 
+/// "33 %" of a share, in whole percents.
+std::string percentText(double share);
 /// "0.36 m", "1.2 cm".
 std::string metresText(double metres);
 

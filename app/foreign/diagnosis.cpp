@@ -47,8 +47,7 @@ NamedCause namedCause(const Evidence& evidence, const Cause& cause, const std::v
 bool isOfOneKind(const Evidence& evidence) {
     bool anyLit = false, anyDark = false;
     for (std::size_t i = 0; i < evidence.truth.visibility.size(); ++i) {
-        const trace::Visibility truth = evidence.truth.visibility[i];
-        if (!evidence.isJudged(i) || (truth != trace::Visibility::lit && truth != trace::Visibility::shadowed)) continue;
+        if (!evidence.isJudged(i) || !facesTheLight(evidence.truth.visibility[i])) continue;
         (evidence.isLit(i) ? anyLit : anyDark) = true;
     }
     return !(anyLit && anyDark);
@@ -109,7 +108,7 @@ Diagnosis diagnose(Evidence& evidence) {
     addWindingCauses(evidence, causes);
     addVolumeCauses(evidence, causes);
     addPatternCauses(evidence, causes);
-    const std::vector<Ranked> ranked = rankedCauses(evidence, causes, diagnosis.region ? diagnosis.region->samples : std::vector<std::uint8_t>());
+    const std::vector<Ranked> ranked = rankedCauses(evidence, causes, diagnosis.region ? samplesIn(evidence, *diagnosis.region) : std::vector<std::uint8_t>());
     if (ranked.empty()) return diagnosis;
     const Ranked& first = ranked.front();
     diagnosis.causes.push_back(first.named);

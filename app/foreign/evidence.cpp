@@ -61,14 +61,19 @@ Evidence thinned(const Evidence& evidence) {
     return some.wrong < kFew ? evidence : some;
 }
 
+void forSamples(const Evidence& evidence, const std::function<void(std::size_t sample)>& f) {
+    const std::size_t count = evidence.samples.size();
+    constexpr std::size_t kPiece = 128;
+    trace::parallelFor((count + kPiece - 1) / kPiece, [&](std::size_t piece) {
+        const std::size_t end = std::min((piece + 1) * kPiece, count);
+        for (std::size_t i = piece * kPiece; i < end; ++i)
+            f(i);
+    });
+}
+
 Predictions predictAll(const Evidence& evidence, const std::function<Prediction(const Sample&)>& rule) {
     Predictions predictions(evidence.samples.size());
-    constexpr std::size_t kPiece = 128;
-    trace::parallelFor((predictions.size() + kPiece - 1) / kPiece, [&](std::size_t piece) {
-        const std::size_t end = std::min((piece + 1) * kPiece, predictions.size());
-        for (std::size_t i = piece * kPiece; i < end; ++i)
-            predictions[i] = rule(evidence.samples[i]);
-    });
+    forSamples(evidence, [&](std::size_t i) { predictions[i] = rule(evidence.samples[i]); });
     return predictions;
 }
 

@@ -20,7 +20,7 @@ namespace shadowlab::foreign {
 struct Sample {
     ivec2 pixel{0};
     std::size_t index = 0;       ///< of the pixel, rows from the top
-    trace::SurfacePoint point;   ///< that its centre sees; none: the background
+    trace::SurfacePoint point;   ///< that its centre sees: always a surface
     bool isLit = false;          ///< in the picture
     bool shouldBeLit = false;
     double weight = 1;           ///< pixels that it stands for
@@ -38,7 +38,8 @@ struct Evidence {
     const judge::Truth& truth;
     const FoundVisibility& found;
     const judge::Judgement& judgement;
-    judge::Grid<float> boundaryPx; ///< distanceToBoundary() of the truth
+    const std::vector<judge::BoundaryEdge>& boundary; ///< trueBoundary() of the truth
+    const judge::Grid<float>& boundaryPx;             ///< distanceToBoundary() of it
     int light = 0;
     std::optional<Orientation> reference{}; ///< how the reference of a pair lies, by its shading; none: no pair, or it does not tell
     std::vector<Sample> samples{};
@@ -65,6 +66,9 @@ inline Prediction ofBackground(const Evidence& evidence, const Sample& sample) {
     if (evidence.found.isSame.empty()) return Prediction::dark;
     return predicted(evidence.found.isSame[sample.index] == 0 || sample.isLit);
 }
+
+/// Calls f with the index of each sample, on all cores; of two calls none may write what the other reads.
+void forSamples(const Evidence& evidence, const std::function<void(std::size_t sample)>& f);
 
 /// Predictions for all samples, found on all cores.
 Predictions predictAll(const Evidence& evidence, const std::function<Prediction(const Sample&)>& rule);

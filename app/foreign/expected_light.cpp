@@ -33,7 +33,7 @@ ExpectedLight expectedLight(const trace::SceneTracer& tracer, const scene::Camer
             const dvec3 toEyeWorld = glm::normalize(camera.positionWorld - positionWorld);
             const dvec3 normalWorld = normals.towardWorld(toEyeWorld, point);
             dvec3 remaining = dvec3(scene.ambient) * diffuse;
-            if (scene::shinesFrom(material, point.eyeOnFront)) remaining += dvec3(material.emission);
+            if (scene::shinesFrom(material, point.eyeOnFront != scene::isMirrored(object))) remaining += dvec3(material.emission);
             const std::size_t pixel = row * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
             expected.isDull[pixel] = material.specular == vec3(0.0f) ? 1 : 0;
             for (int l = 0; l < static_cast<int>(scene.lights.size()); ++l) {
@@ -47,8 +47,9 @@ ExpectedLight expectedLight(const trace::SceneTracer& tracer, const scene::Camer
                     expected.ofLight[pixel] = vec3(added(normalWorld));
                     expected.ofLightFlat[pixel] = vec3(added(flatNormalWorld(tracer, point)));
                 } else {
-                    remaining += added(normalWorld);
-                    expected.ofOthers[pixel] += vec3(added(normalWorld));
+                    const dvec3 ofOther = added(normalWorld);
+                    remaining += ofOther;
+                    expected.ofOthers[pixel] += vec3(ofOther);
                 }
             }
             expected.remaining[pixel] = vec3(remaining);

@@ -2,7 +2,6 @@
 #include "app/foreign/foreign_picture.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 
 #include "app/picture/limits.h"

@@ -2,10 +2,13 @@
 #include "app/foreign/found_visibility.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "app/foreign/foreign_picture.h"
+#include "app/foreign/statistics.h"
 
 namespace shadowlab::foreign {
 
@@ -13,7 +16,7 @@ namespace {
 
 using trace::Visibility;
 
-bool facesTheLight(Visibility visibility) { return visibility == Visibility::lit || visibility == Visibility::shadowed; }
+using LinearOfByte = std::array<double, 256>;
 
 /// What two pixels say of the light, in the channel that shows it best.
 struct PairedPixel {
@@ -23,7 +26,7 @@ struct PairedPixel {
     bool isClipped = false;
 };
 
-PairedPixel paired(image::Color8 shaded, image::Color8 reference, const vec3& ofLight, const vec3& remaining, ToneCurve curve) {
+PairedPixel paired(image::Color8 shaded, image::Color8 reference, const vec3& ofLight, const vec3& remaining, ToneCurve curve, const LinearOfByte& linear) {
     // Of a reference that is white, brighter light would look the same: then the darker picture says nothing of how much is missing.
     const std::array p{shaded.r, shaded.g, shaded.b}, r{reference.r, reference.g, reference.b};
     PairedPixel best;
@@ -32,10 +35,10 @@ PairedPixel paired(image::Color8 shaded, image::Color8 reference, const vec3& of
         const std::size_t c = static_cast<std::size_t>(channel);
         const double whole = static_cast<double>(ofLight[channel] + remaining[channel]);
         if (whole <= 0) continue;
-        const double share = static_cast<double>(ofLight[channel]) / whole, full = linearFrom(curve, r[c] / 255.0);
+        const double share = static_cast<double>(ofLight[channel]) / whole, full = linear[r[c]];
         const double levels = r[c] - 255 * encodedWith(curve, full * (1 - share));
         if (levels <= best.levels || r[c] == 255) continue;
-        const double seen = linearFrom(curve, p[c] / 255.0);
+        const double seen = linear[p[c]];
         best.levels = levels;
         best.expected = share;
         best.darker = full > 0 ? (full - seen) / full : 0;
@@ -62,23 +65,18 @@ double strengthOf(const std::vector<PairedPixel>& pixels, const judge::Truth& tr
             pixels[i].darker > kClearlyDarker * pixels[i].expected)
             ratios.push_back(pixels[i].darker / pixels[i].expected);
     if (ratios.size() < kEnough) return 1;
-    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-    std::ranges::nth_element(ratios, middle);
-    return std::clamp(*middle, 1 / kMost, kMost);
+    return std::clamp(middleOf(std::move(ratios)), 1 / kMost, kMost);
 }
 
 /// R over the radiance of the scene's own shading: the middle of all pixels that face the light and are not black.
-double exposureOf(const image::Image& reference, const judge::Truth& truth, const ExpectedLight& expected, ToneCurve curve) {
+double exposureOf(const image::Image& reference, const judge::Truth& truth, const ExpectedLight& expected, const LinearOfByte& linear) {
     std::vector<double> ratios;
     for (std::size_t i = 0; i < truth.visibility.size(); ++i) {
         const double whole = static_cast<double>(expected.ofLight[i].g + expected.remaining[i].g);
         const std::uint8_t seen = reference.rgba[image::kChannels * i + 1];
-        if (facesTheLight(truth.visibility[i]) && whole > 0 && seen > kLeastLevels && seen < 255) ratios.push_back(linearFrom(curve, seen / 255.0) / whole);
+        if (facesTheLight(truth.visibility[i]) && whole > 0 && seen > kLeastLevels && seen < 255) ratios.push_back(linear[seen] / whole);
     }
-    if (ratios.empty()) return 1;
-    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-    std::ranges::nth_element(ratios, middle);
-    return *middle;
+    return ratios.empty() ? 1 : middleOf(std::move(ratios));
 }
 
 /// Of the light, 0 to 1. `strength`: see strengthOf().
@@ -126,11 +124,14 @@ FoundVisibility fromVisibilityImage(const image::Image& picture, const judge::Tr
 FoundVisibility fromPair(const image::Image& shaded, const image::Image& reference, const judge::Truth& truth,
                          const ExpectedLight& expected, ToneCurve curve) {
     FoundVisibility found{emptyImage(truth.size), std::vector<std::uint8_t>(truth.visibility.size(), 0)};
+    LinearOfByte linear{};
+    for (std::size_t byte = 0; byte < linear.size(); ++byte)
+        linear[byte] = linearFrom(curve, static_cast<double>(byte) / 255.0);
     std::vector<PairedPixel> pixels(truth.visibility.size()), flat(pixels.size());
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const int x = static_cast<int>(i % static_cast<std::size_t>(truth.size.x)), y = static_cast<int>(i / static_cast<std::size_t>(truth.size.x));
-        pixels[i] = paired(shaded.at(x, y), reference.at(x, y), expected.ofLight[i], expected.remaining[i], curve);
-        flat[i] = paired(shaded.at(x, y), reference.at(x, y), expected.ofLightFlat[i], expected.remaining[i], curve);
+        pixels[i] = paired(shaded.at(x, y), reference.at(x, y), expected.ofLight[i], expected.remaining[i], curve, linear);
+        flat[i] = paired(shaded.at(x, y), reference.at(x, y), expected.ofLightFlat[i], expected.remaining[i], curve, linear);
     }
     found.isSame.assign(pixels.size(), 0);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -141,12 +142,12 @@ FoundVisibility fromPair(const image::Image& shaded, const image::Image& referen
         found.isSame[i] = same ? 1 : 0;
     }
     found.strength = strengthOf(pixels, truth);
-    const double exposure = exposureOf(reference, truth, expected, curve);
+    const double exposure = exposureOf(reference, truth, expected, linear);
     std::vector<std::uint8_t> lacks(pixels.size(), 0);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const vec3 least = glm::min(expected.ofLight[i], expected.ofLightFlat[i]);
-        const int green = reference.rgba[image::kChannels * i + 1]; // of white, there may be any light more
-        lacks[i] = found.isSame[i] && green < 255 && lacksLight(linearFrom(curve, green / 255.0), least, expected.remaining[i], exposure) ? 1 : 0;
+        const std::uint8_t green = reference.rgba[image::kChannels * i + 1]; // of white, there may be any light more
+        lacks[i] = found.isSame[i] && green < 255 && lacksLight(linear[green], least, expected.remaining[i], exposure) ? 1 : 0;
     }
     const std::map<std::uint32_t, bool> lackingObjects = objectsThatLackLight(lacks, truth);
     for (std::size_t i = 0; i < pixels.size(); ++i) {

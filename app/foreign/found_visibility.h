@@ -6,8 +6,6 @@
 // brightness nor the strength of ambient light needs to be known, and light that remains in shadow does no harm.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <optional>
-
 #include "app/foreign/expected_light.h"
 #include "app/foreign/tone_curve.h"
 #include "app/judge/verdict.h"
@@ -15,6 +13,11 @@
 #include "techniques/foundation/image/image.h"
 
 namespace shadowlab::foreign {
+
+/// Lit or in shadow: there is light to be seen or not.
+inline bool facesTheLight(trace::Visibility visibility) {
+    return visibility == trace::Visibility::lit || visibility == trace::Visibility::shadowed;
+}
 
 struct FoundVisibility {
     picture::VisibilityImage image;

@@ -135,10 +135,13 @@ JudgedPicture judgePicture(const scene::Snapshot& scene, int light, judge::Truth
     const std::vector<judge::BoundaryEdge> boundary = judge::trueBoundary(judged.truth);
     judged.errors = judge::slotErrors(judged.truth, boundary, judged.found.image.greyAlpha);
     judged.errors.judgement.counts.ties = ties;
-    Evidence evidence{tracer, scene->camera, judged.truth, judged.found, judged.errors.judgement, judge::distanceToBoundary(boundary, size), light, orientation};
-    judged.core = judge::coreErrors(judged.truth, judged.errors.judgement, evidence.boundaryPx, std::nullopt);
+    const judge::Grid<float> boundaryPx = judge::distanceToBoundary(boundary, size);
+    judged.core = judge::coreErrors(judged.truth, judged.errors.judgement, boundaryPx, std::nullopt);
     judged.boundaryPx = judge::displacement(judged.truth, boundary, judged.found.image.greyAlpha);
-    if (judged.errors.judgement.counts.wrong() > 0) judged.diagnosis = diagnose(evidence);
+    if (judged.errors.judgement.counts.wrong() > 0) {
+        Evidence evidence{tracer, scene->camera, judged.truth, judged.found, judged.errors.judgement, boundary, boundaryPx, light, orientation};
+        judged.diagnosis = diagnose(evidence);
+    }
     return judged;
 }
 

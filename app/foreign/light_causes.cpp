@@ -17,32 +17,28 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-std::string shareText(double share) { return picture::fixed(100 * share, 0) + " %"; }
-
-/// What stands in the light's way, in metres from the point and from the light.
+/// What stands in the light's way, in metres from the point.
 struct Obstacles {
     double farthestFromPoint = kNever; ///< of the obstacle nearest to the light; none: nothing stands there
     double nearestToPoint = kNever;    ///< from the point
     bool ofOthers = false;             ///< does any belong to another object than the point's?
-    double nearestToLight = kNever;    ///< from the light, of the obstacle nearest to the point
 };
 
 std::vector<Obstacles> obstaclesOf(const Evidence& evidence) {
     const std::vector<std::uint8_t> casts = castingTriangles(evidence);
     std::vector<Obstacles> all(evidence.samples.size());
-    predictAll(evidence, [&](const Sample& sample) {
-        Obstacles& own = all[static_cast<std::size_t>(&sample - evidence.samples.data())];
-        if (!sample.point || !evidence.tracer.facesLight(sample.point, evidence.light)) return Prediction::none;
+    forSamples(evidence, [&](std::size_t i) {
+        const Sample& sample = evidence.samples[i];
+        if (!evidence.tracer.facesLight(sample.point, evidence.light)) return;
         const trace::Ray ray = rayToLight(evidence.tracer, sample.point, evidence.source());
         const std::vector<Crossing> met = crossings(evidence.tracer, ray, sample.point.primitive, casts);
-        if (met.empty()) return Prediction::none;
+        if (met.empty()) return;
+        Obstacles& own = all[i];
         const double metres = metresPerT(ray, evidence.source());
         own.farthestFromPoint = met.back().t * metres;
         const std::vector<std::uint32_t>& objects = evidence.tracer.world().objects;
         own.ofOthers = std::ranges::any_of(met, [&](const Crossing& one) { return objects[one.primitive] != objects[sample.point.primitive]; });
         own.nearestToPoint = met.front().t * metres;
-        if (std::isfinite(ray.farthest)) own.nearestToLight = (1 - met.front().t) * metres;
-        return Prediction::none;
     });
     return all;
 }
@@ -72,7 +68,7 @@ void addBias(const Evidence& evidence, const std::vector<Obstacles>& obstacles, 
     Cause cause{narrow ? "leak-at-contact" : "peter-panning", "", "", std::move(best.predictions)};
     cause.what = (narrow ? std::string("light leaks in where caster and receiver touch: ")
                          : std::string("the shadow is detached from its caster: ")) +
-                 shareText(best.explained) + " of the wrong pixels are lit because everything that shades them lies within " + metresText(best.value) +
+                 percentText(best.explained) + " of the wrong pixels are lit because everything that shades them lies within " + metresText(best.value) +
                  " of them; beyond, shadows are there";
     cause.remedy = "the depth bias, or the offset at which shadow rays start, is about " + metresText(best.value) + "; make it smaller, or let it follow slope and texel";
     addIfExplains(evidence, std::move(cause), causes);
@@ -82,13 +78,14 @@ void addRange(const Evidence& evidence, const std::vector<Obstacles>& obstacles,
     std::vector<double> nearLight, fromLight, fromEye, fromCaster;
     for (std::size_t i = 0; i < obstacles.size(); ++i) {
         const Sample& sample = evidence.samples[i];
-        nearLight.push_back(obstacles[i].nearestToLight);
-        fromCaster.push_back(std::isfinite(obstacles[i].nearestToPoint) ? -obstacles[i].nearestToPoint : kNever);
-        const bool shaded = sample.point && std::isfinite(obstacles[i].farthestFromPoint);
+        const bool shaded = std::isfinite(obstacles[i].farthestFromPoint);
         const dvec3 positionWorld = shaded ? evidence.tracer.positionWorld(sample.point) : dvec3(0.0);
+        const bool hasPlace = evidence.source().type != scene::LightType::directional;
+        const double fromLightM = shaded && hasPlace ? glm::length(positionWorld - evidence.source().positionWorld) : kNever;
+        nearLight.push_back(std::isfinite(fromLightM) ? fromLightM - obstacles[i].nearestToPoint : kNever);
         // Negative: the farthest are lit first.
-        const bool directional = evidence.source().type == scene::LightType::directional;
-        fromLight.push_back(shaded && !directional ? -glm::length(positionWorld - evidence.source().positionWorld) : kNever);
+        fromLight.push_back(std::isfinite(fromLightM) ? -fromLightM : kNever);
+        fromCaster.push_back(shaded ? -obstacles[i].nearestToPoint : kNever);
         fromEye.push_back(shaded ? -glm::length(positionWorld - evidence.camera.positionWorld) : kNever);
     }
     const auto add = [&](const std::vector<double>& values, const char* id, const char* before, const char* after, const char* remedy) {
@@ -97,7 +94,7 @@ void addRange(const Evidence& evidence, const std::vector<Obstacles>& obstacles,
         const bool all = std::ranges::none_of(values, [&](double value) { return std::isfinite(value) && value > best.value; });
         if (all) return;
         Cause cause{id, "", remedy, std::move(best.predictions)};
-        cause.what = std::string(before) + metresText(std::abs(best.value)) + after + ": this explains " + shareText(best.explained) + " of the wrong pixels";
+        cause.what = std::string(before) + metresText(std::abs(best.value)) + after + ": this explains " + percentText(best.explained) + " of the wrong pixels";
         cause.likelihood = 0.9; // rarer than a bias
         addIfExplains(evidence, std::move(cause), causes);
     };
@@ -114,7 +111,7 @@ void addSelfShadows(const Evidence& evidence, const std::vector<Obstacles>& obst
         const bool isOwn = std::isfinite(obstacles[i].farthestFromPoint) && !obstacles[i].ofOthers;
         cause.predictions.push_back(predicted(sample.shouldBeLit || isOwn));
     }
-    cause.what = "objects cast no shadow on themselves: this explains " + shareText(explained(evidence, cause.predictions)) + " of the wrong pixels";
+    cause.what = "objects cast no shadow on themselves: this explains " + percentText(explained(evidence, cause.predictions)) + " of the wrong pixels";
     addIfExplains(evidence, std::move(cause), causes);
 }
 
@@ -124,17 +121,10 @@ void addCone(const Evidence& evidence, std::vector<Cause>& causes) {
     if (source.type != scene::LightType::spot) return;
     scene::Light everywhere = source; // the same place, without a cone
     everywhere.type = scene::LightType::point;
-    const std::vector<std::uint8_t> casts = castingTriangles(evidence);
-    const trace::SceneTracer& tracer = evidence.tracer;
-    const Predictions withoutCone = predictAll(evidence, [&](const Sample& sample) {
-        if (!sample.point) return Prediction::none;
-        const trace::Ray ray = rayToLight(tracer, sample.point, everywhere);
-        if (glm::dot(flatNormalWorld(tracer, sample.point), ray.directionCentred) <= 0) return Prediction::dark;
-        return predicted(!tracer.objectOf(sample.point).receivesShadow || !isBlockedBy(tracer, ray, sample.point.primitive, casts));
-    });
+    const Predictions withoutCone = withLight(evidence, everywhere, castingTriangles(evidence));
     std::vector<double> degrees; // from the cone's axis
     for (const Sample& sample : evidence.samples) {
-        const dvec3 fromLight = sample.point ? tracer.positionWorld(sample.point) - source.positionWorld : source.directionWorld;
+        const dvec3 fromLight = evidence.tracer.positionWorld(sample.point) - source.positionWorld;
         degrees.push_back(glm::degrees(std::acos(std::clamp(glm::dot(glm::normalize(fromLight), source.directionWorld), -1.0, 1.0))));
     }
     double best = 180, most = -kNever;
@@ -147,7 +137,7 @@ void addCone(const Evidence& evidence, std::vector<Cause>& causes) {
         if (const double found = explained(evidence, tried); found > most) most = found, best = half, cause.predictions = std::move(tried);
     }
     cause.what = (best > 90 ? std::string("the spot shines in all directions, without its cone") : "the spot's cone is another: " + picture::fixed(2 * best, 0) + " degrees wide instead of " + picture::fixed(source.coneDegrees, 0)) +
-                 ": this explains " + shareText(most) + " of the wrong pixels";
+                 ": this explains " + percentText(most) + " of the wrong pixels";
     addIfExplains(evidence, std::move(cause), causes);
 }
 

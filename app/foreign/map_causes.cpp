@@ -9,7 +9,6 @@
 
 #include "app/foreign/causes.h"
 #include "app/foreign/rays_of_causes.h"
-#include "app/picture/verdict_reasons.h"
 #include "techniques/foundation/math/perpendicular.h"
 
 namespace shadowlab::foreign {
@@ -35,7 +34,7 @@ Predictions outsideMap(const Evidence& evidence, const MapView& view, bool isLit
     std::vector<dvec2> places;
     std::array<std::vector<double>, 2> kept;
     for (const Sample& sample : evidence.samples) {
-        const bool faces = sample.point && evidence.tracer.facesLight(sample.point, evidence.light);
+        const bool faces = evidence.tracer.facesLight(sample.point, evidence.light);
         places.push_back(faces ? placeAcross(evidence, sample, view) : dvec2(0.0));
         if (!faces || sample.isWrong() || sample.shouldBeLit == isLit || !std::isfinite(places.back().x)) continue;
         kept[0].push_back(places.back().x), kept[1].push_back(places.back().y);
@@ -53,7 +52,7 @@ Predictions outsideMap(const Evidence& evidence, const MapView& view, bool isLit
     }
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Sample& sample = evidence.samples[i];
-        if (!sample.point || !evidence.tracer.facesLight(sample.point, evidence.light)) continue;
+        if (!evidence.tracer.facesLight(sample.point, evidence.light)) continue;
         const bool inside = places[i].x >= least.x && places[i].x <= most.x && places[i].y >= least.y && places[i].y <= most.y;
         if (!inside) predictions[i] = predicted(isLit);
     }
@@ -79,7 +78,7 @@ void addMapCauses(const Evidence& evidence, std::vector<Cause>& causes) {
         }
         if (most <= 0) continue;
         best.likelihood = 0.9; // rarer than a bias, and a rectangle holds much by chance
-        best.what = "the shadow map covers a part only: " + picture::fixed(100 * most, 0) + " % of the wrong pixels lie outside of a rectangle across the light's view, where all is " + (isLit ? "lit" : "dark");
+        best.what = "the shadow map covers a part only: " + percentText(most) + " of the wrong pixels lie outside of a rectangle across the light's view, where all is " + (isLit ? "lit" : "dark");
         addIfExplains(evidence, std::move(best), causes);
     }
 }

@@ -21,21 +21,6 @@ using picture::fixed;
 
 std::string vectorText(const dvec3& v) { return "(" + fixed(v.x, 3) + ", " + fixed(v.y, 3) + ", " + fixed(v.z, 3) + ")"; }
 
-/// What faces the moved light, and is not in its shadow.
-Predictions withLight(const Evidence& evidence, const scene::Light& moved, std::span<const std::uint8_t> casts) {
-    const trace::SceneTracer& tracer = evidence.tracer;
-    const bool everywhere = scene::shinesEverywhere(moved);
-    return predictAll(evidence, [&](const Sample& sample) {
-        if (!sample.point) return Prediction::none;
-        const dvec3 positionWorld = tracer.positionWorld(sample.point);
-        const trace::Ray ray = rayToLight(tracer, sample.point, moved);
-        if (glm::dot(flatNormalWorld(tracer, sample.point), ray.directionCentred) <= 0) return Prediction::dark;
-        if (!everywhere && !scene::lightShinesTo(moved, positionWorld)) return Prediction::dark;
-        if (!tracer.objectOf(sample.point).receivesShadow) return Prediction::lit;
-        return predicted(!isBlockedBy(tracer, ray, sample.point.primitive, casts));
-    });
-}
-
 /// A place, or a direction, that a slip of the pen leads to.
 struct Slip {
     std::string what; ///< before the place
@@ -135,7 +120,7 @@ private:
     [[nodiscard]] static bool isAllDark(const Predictions& predictions) {
         return std::ranges::none_of(predictions, [](Prediction one) { return one == Prediction::lit; });
     }
-    [[nodiscard]] std::string share(const Predictions& predictions) const { return fixed(100 * explained(evidence_, predictions), 0) + " %"; }
+    [[nodiscard]] std::string share(const Predictions& predictions) const { return percentText(explained(evidence_, predictions)); }
 
     void add(const std::vector<double>& by, double distance, std::vector<Cause>& causes) const {
         Cause cause{"light-displaced", "", "", withLight(evidence_, movedBy(by), casts_)};

@@ -14,8 +14,6 @@ namespace {
 
 using judge::Verdict;
 
-constexpr float kEdgePx = 1.5f; // as core errors are counted (judge/metrics/boundary.h)
-
 class Patterns {
 public:
     explicit Patterns(const Evidence& evidence) : evidence_(evidence), size_(evidence.size()) {}
@@ -131,7 +129,7 @@ void addPattern(const Evidence& evidence, Cause cause, const std::function<bool(
 }
 
 std::string pixelShare(const Evidence& evidence, const Predictions& predictions) {
-    return picture::fixed(100 * explained(evidence, predictions), 0) + " % of the wrong pixels";
+    return percentText(explained(evidence, predictions)) + " of the wrong pixels";
 }
 
 /// How far texels reach across the true boundary: twice what three of four wrong pixels near it do.
@@ -148,13 +146,13 @@ int reachOfEdges(const Evidence& evidence) {
 
 /// `reach`: reachOfEdges().
 void addSoftEdges(const Evidence& evidence, const Patterns& patterns, int reach, std::vector<Cause>& causes) {
-    const double length = judge::lengthPx(judge::trueBoundary(evidence.truth));
+    const double length = judge::lengthPx(evidence.boundary);
     // Antialiasing shares a pixel and its neighbour; what is wider is a filter over texels that are larger than pixels.
     constexpr double kOfAntialiasing = 2.1;
     const double widthPx = length > 0 ? patterns.softPixels() / length : 0;
     const bool wide = widthPx > kOfAntialiasing;
     Cause soft{wide ? "resolution" : "soft-edges", "", wide ? "use a map of more texels, or a narrower filter; a light without area has no penumbra" : "take one sample a pixel, at its centre, without antialiasing", {}};
-    const auto isNear = [&](const Sample& s) { return wide ? s.boundaryPx <= static_cast<float>(reach) : s.boundaryPx <= kEdgePx; };
+    const auto isNear = [&](const Sample& s) { return wide ? s.boundaryPx <= static_cast<float>(reach) : s.boundaryPx <= judge::kCorePx; };
     soft.predictions = wherePattern(evidence, [&](const Sample& s) { return isNear(s) && patterns.isSoft(s); });
     soft.what = "edges are soft over " + picture::fixed(widthPx, 1) + " pixels: " + pixelShare(evidence, soft.predictions) + " are neither lit nor dark, but between";
     if (wide) soft.what += ", as of a filter over texels that cover several pixels";
@@ -175,8 +173,8 @@ void addHalfSeen(const Evidence& evidence, std::vector<Cause>& causes) {
 
 void addPatternCauses(const Evidence& evidence, std::vector<Cause>& causes) {
     const Patterns patterns(evidence);
-    const auto isDarkened = [](const Sample& s) { return !s.isLit && s.boundaryPx > kEdgePx; };
-    const auto isLightened = [](const Sample& s) { return s.isLit && s.boundaryPx > kEdgePx; };
+    const auto isDarkened = [](const Sample& s) { return !s.isLit && s.boundaryPx > judge::kCorePx; };
+    const auto isLightened = [](const Sample& s) { return s.isLit && s.boundaryPx > judge::kCorePx; };
     Cause acne{"acne", "", "raise the depth bias, let it grow with the slope and the texel, or leave out the surface that a shadow ray starts on", {}};
     acne.predictions = wherePattern(evidence, [&](const Sample& s) { return isDarkened(s) && patterns.isDispersed(s); });
     acne.what = "surfaces shadow themselves in a pattern: " + pixelShare(evidence, acne.predictions) +
@@ -193,7 +191,7 @@ void addPatternCauses(const Evidence& evidence, std::vector<Cause>& causes) {
     constexpr int kFewest = 8; // fewer are no pattern
     Cause texels{"resolution", "", "use a map of more texels, or fit it more closely to what is seen", {}};
     texels.predictions = wherePattern(evidence, [&](const Sample& s) { return count >= kFewest && isAtEdge(s) && patterns.isAlternating(s, 2 * reach); });
-    const double length = judge::lengthPx(judge::trueBoundary(evidence.truth));
+    const double length = judge::lengthPx(evidence.boundary);
     texels.what = "the boundary goes to and fro in steps: " + pixelShare(evidence, texels.predictions) +
                   " are false light and false shadow in turn along it, in " + std::to_string(count) + " patches, one for each " +
                   picture::fixed(count > 0 ? 2 * length / count : 0, 1) + " pixels of boundary and side: texels of a shadow map are too coarse";

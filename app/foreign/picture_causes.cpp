@@ -1,7 +1,6 @@
 // Mistakes of the whole picture. What another view would show is first looked up in the truth of this one, to the nearest pixel, and
 // then asked with rays.
 // SPDX-License-Identifier: MIT
-#include <cmath>
 
 #include "app/foreign/calibration_words.h"
 #include "app/foreign/causes.h"
@@ -52,8 +51,6 @@ constexpr double kWorthRays = 0.25;
 
 /// Two kinds of evidence count for more than one.
 constexpr double kSeenInShading = 1.3;
-
-std::string percentText(double share) { return picture::fixed(100 * share, 0) + " %"; }
 
 void addOfPicture(const Evidence& evidence, Cause cause, std::vector<Cause>& causes) {
     cause.isOfPicture = true;

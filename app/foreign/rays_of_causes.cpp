@@ -2,6 +2,7 @@
 #include "app/foreign/rays_of_causes.h"
 
 #include "techniques/foundation/scene/query/facing.h"
+#include "techniques/foundation/scene/query/shading.h"
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
 #include "techniques/foundation/trace/bvh/bvh_traverse.h"
 
@@ -34,10 +35,26 @@ std::vector<std::uint8_t> castingTriangles(const Evidence& evidence) {
     return {casts.begin(), casts.end()};
 }
 
+trace::RayHit closestOf(const trace::SceneTracer& tracer, const trace::Ray& ray, const trace::MayHit& mayHit) {
+    return tracer.bvh().closest(ray, mayHit, [&](std::uint32_t p, const dvec3& at) { return mayHit.inHole(p, at); });
+}
+
 bool isBlockedBy(const trace::SceneTracer& tracer, const trace::Ray& ray, std::uint32_t leftOut, std::span<const std::uint8_t> flags) {
     trace::MayHit mayHit = tracer.mayStandIn(leftOut);
     mayHit.flags = flags.data();
     return tracer.bvh().any(ray, mayHit, [&](std::uint32_t p, const dvec3& at) { return mayHit.inHole(p, at); }) != trace::kNoPrimitive;
+}
+
+Predictions withLight(const Evidence& evidence, const scene::Light& light, std::span<const std::uint8_t> casts) {
+    const trace::SceneTracer& tracer = evidence.tracer;
+    const bool everywhere = scene::shinesEverywhere(light);
+    return predictAll(evidence, [&](const Sample& sample) {
+        const trace::Ray ray = rayToLight(tracer, sample.point, light);
+        if (glm::dot(flatNormalWorld(tracer, sample.point), ray.directionCentred) <= 0) return Prediction::dark;
+        if (!everywhere && !scene::lightShinesTo(light, tracer.positionWorld(sample.point))) return Prediction::dark;
+        if (!tracer.objectOf(sample.point).receivesShadow) return Prediction::lit;
+        return predicted(!isBlockedBy(tracer, ray, sample.point.primitive, casts));
+    });
 }
 
 std::vector<std::int8_t> sidesOfLight(const trace::SceneTracer& tracer, const scene::Light& light) {
@@ -56,7 +73,7 @@ std::vector<Crossing> crossings(const trace::SceneTracer& tracer, const trace::R
     trace::MayHit mayHit = tracer.mayStandIn(leftOut);
     mayHit.flags = flags.data();
     for (int i = 0; i < kMost; ++i) {
-        const trace::RayHit hit = tracer.bvh().closest(rest, mayHit, [&](std::uint32_t p, const dvec3& at) { return mayHit.inHole(p, at); });
+        const trace::RayHit hit = closestOf(tracer, rest, mayHit);
         if (!hit) break;
         const trace::SurfacePoint point = tracer.surfacePoint(ray.directionCentred, hit);
         found.push_back({hit.primitive, hit.t, point.eyeOnFront});

@@ -16,8 +16,14 @@ double metresPerT(const trace::Ray& ray, const scene::Light& light);
 
 /// For each triangle 1 if it casts shadows of that light.
 std::vector<std::uint8_t> castingTriangles(const Evidence& evidence);
+/// The first triangle on the ray that `mayHit` lets through.
+trace::RayHit closestOf(const trace::SceneTracer& tracer, const trace::Ray& ray, const trace::MayHit& mayHit);
 /// Does any of the flagged triangles stand on the ray? The point's own does not.
 bool isBlockedBy(const trace::SceneTracer& tracer, const trace::Ray& ray, std::uint32_t leftOut, std::span<const std::uint8_t> flags);
+
+/// What would be seen with another light in place of the judged one: lit is what faces it, lies in its cone and is not in the shadow of
+/// the triangles that `casts` flags.
+Predictions withLight(const Evidence& evidence, const scene::Light& light, std::span<const std::uint8_t> casts);
 
 /// +1: the light is on the counter-clockwise side, as the triangle lies in the world; -1: behind it; 0: in its plane.
 std::vector<std::int8_t> sidesOfLight(const trace::SceneTracer& tracer, const scene::Light& light);

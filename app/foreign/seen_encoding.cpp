@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
+
+#include "app/foreign/statistics.h"
 
 namespace shadowlab::foreign {
 
@@ -14,12 +17,6 @@ struct Brightness {
     double expected = 0; ///< linear
     double number = 0;   ///< of the picture, 0 to 1
 };
-
-double middleOf(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
 
 /// The middle of the differences in levels of 255, at the exposure that fits best.
 double levelsOff(const std::vector<Brightness>& seen, ToneCurve curve, bool anyExposure) {
@@ -42,14 +39,13 @@ std::vector<Brightness> steps(const std::vector<Brightness>& pixels) {
     std::vector<Brightness> middles;
     for (auto& [step, all] : byStep) {
         if (all.size() < kEnough) continue;
-        const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-        std::ranges::nth_element(all, middle, {}, [](const Brightness& one) { return one.number / one.expected; });
-        middles.push_back(*middle);
+        middles.push_back(middleOf(std::move(all), [](const Brightness& one) { return one.number / one.expected; }));
     }
     return middles;
 }
 
-std::optional<SeenEncoding> wrongEncoding(const std::vector<Brightness>& pixels, ToneCurve rightCurve, bool anyExposure) {
+std::optional<SeenEncoding> wrongEncoding(const std::vector<Brightness>& pixels, ToneCurve rightCurve) {
+    const bool anyExposure = rightCurve != ToneCurve::linear; // the white of a visibility image is 1
     constexpr std::size_t kEnoughSteps = 5;
     constexpr double kLeastRange = 2.5; // of brightness: curves then differ by some levels
     const std::vector<Brightness> seen = steps(pixels);
@@ -58,15 +54,15 @@ std::optional<SeenEncoding> wrongEncoding(const std::vector<Brightness>& pixels,
     best.levels = 1e300;
     for (const ToneCurve curve : kToneCurves) {
         const double levels = levelsOff(seen, curve, anyExposure);
-        if (curve == rightCurve) best.levelsOfSrgb = levels;
+        if (curve == rightCurve) best.levelsOfRight = levels;
         if (levels < best.levels) best.levels = levels, best.curve = curve;
     }
     // Rounding leaves half a level; where another curve is to be believed, it is right within a few and clearly better.
     constexpr double kMostLevels = 4, kClearly = 0.5, kLeastDifference = 2;
     // A curve that leaves nothing but rounding, in so many steps, is believed for less.
     constexpr double kRounding = 0.75, kMoreThanRounding = 1.25;
-    const bool exactly = best.levels < kRounding && best.levelsOfSrgb > kMoreThanRounding;
-    const bool clearly = best.levels < kMostLevels && best.levels < kClearly * best.levelsOfSrgb && best.levelsOfSrgb - best.levels > kLeastDifference;
+    const bool exactly = best.levels < kRounding && best.levelsOfRight > kMoreThanRounding;
+    const bool clearly = best.levels < kMostLevels && best.levels < kClearly * best.levelsOfRight && best.levelsOfRight - best.levels > kLeastDifference;
     if (best.curve == rightCurve || !(clearly || exactly)) return std::nullopt;
     return best;
 }
@@ -88,33 +84,35 @@ std::optional<SeenEncoding> wrongEncodingOf(const image::Image& reference, const
         }
         return seen;
     };
-    const auto all = wrongEncoding(seenWith(true, false), ToneCurve::srgb, true);
+    const auto all = wrongEncoding(seenWith(true, false), ToneCurve::srgb);
     if (all) return all;
     // sRGB is right if it fits either.
-    const auto alone = wrongEncoding(seenWith(false, true), ToneCurve::srgb, true);
+    const auto alone = wrongEncoding(seenWith(false, true), ToneCurve::srgb);
     constexpr double kFits = 4; // levels, as where another curve is to be believed
     if (alone && levelsOff(steps(seenWith(true, true)), ToneCurve::srgb, true) > kFits) return alone;
     return std::nullopt;
 }
 
 std::optional<Orientation> orientationOf(const image::Image& reference, const ExpectedLight& expected, const vec3& background) {
-    const auto correlation = [&](const Orientation& orientation) {
-        double a = 0, b = 0, aa = 0, bb = 0, ab = 0;
+    std::vector<double> shading; // as sRGB encodes it
+    for (std::size_t i = 0; i < expected.ofLight.size(); ++i) {
+        const float light = expected.ofLight[i].g + expected.remaining[i].g;
+        shading.push_back(encodedWith(ToneCurve::srgb, static_cast<double>(light > 0 ? light : background.g)));
+    }
+    const auto likeness = [&](const Orientation& orientation) {
+        Correlation correlation;
         for (int y = 0; y < reference.height; ++y)
             for (int x = 0; x < reference.width; ++x) {
                 const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(reference.width) + static_cast<std::size_t>(x);
-                const float light = expected.ofLight[i].g + expected.remaining[i].g;
-                const double p = encodedWith(ToneCurve::srgb, static_cast<double>(light > 0 ? light : background.g));
-                const double q = reference.at(orientation.mirrorsX ? reference.width - 1 - x : x, orientation.mirrorsY ? reference.height - 1 - y : y).g / 255.0;
-                a += p, b += q, aa += p * p, bb += q * q, ab += p * q;
+                const double seen = reference.at(orientation.mirrorsX ? reference.width - 1 - x : x, orientation.mirrorsY ? reference.height - 1 - y : y).g / 255.0;
+                correlation.add(shading[i], seen);
             }
-        const double n = static_cast<double>(expected.ofLight.size()), varianceA = aa - a * a / n, varianceB = bb - b * b / n;
-        return varianceA > 0 && varianceB > 0 ? (ab - a * b / n) / std::sqrt(varianceA * varianceB) : 0.0;
+        return correlation.value();
     };
     std::optional<Orientation> best;
     double most = -1, second = -1;
     for (const Orientation& orientation : {Orientation{}, Orientation{false, true, false}, Orientation{false, false, true}, Orientation{false, true, true}}) {
-        const double found = correlation(orientation);
+        const double found = likeness(orientation);
         if (found > most)
             second = most, most = found, best = orientation;
         else
@@ -134,7 +132,7 @@ std::optional<SeenEncoding> wrongEncodingOf(const image::Image& visibility, cons
         constexpr double kFromEnds = 0.02;
         if (share > kFromEnds && share < 1 - kFromEnds) seen.push_back({share, visibility.rgba[image::kChannels * i + 1] / 255.0});
     }
-    return wrongEncoding(seen, ToneCurve::linear, false);
+    return wrongEncoding(seen, ToneCurve::linear);
 }
 
 } // namespace shadowlab::foreign

@@ -14,7 +14,7 @@ namespace shadowlab::foreign {
 struct SeenEncoding {
     ToneCurve curve = ToneCurve::srgb; ///< that agrees best
     double levels = 0;                 ///< of 255: the middle of its differences
-    double levelsOfSrgb = 0;           ///< the same of the curve that should be
+    double levelsOfRight = 0;          ///< the same of the curve that should be
 };
 
 /// Of a reference without shadows, at any exposure. Nothing where its brightness hardly varies, or where no curve is clearly better

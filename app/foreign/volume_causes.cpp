@@ -10,7 +10,6 @@
 
 #include "app/foreign/causes.h"
 #include "app/foreign/rays_of_causes.h"
-#include "app/picture/verdict_reasons.h"
 
 namespace shadowlab::foreign {
 
@@ -45,7 +44,7 @@ public:
 
     [[nodiscard]] VolumeCounts at(const Sample& sample, const trace::EyeRays& rays) const {
         VolumeCounts counts;
-        counts.facesLight = sample.point && tracer_.facesLight(sample.point, evidence_.light);
+        counts.facesLight = tracer_.facesLight(sample.point, evidence_.light);
         if (!counts.facesLight) return counts;
         const trace::Ray eye = rays.through(dvec2(sample.pixel) + 0.5);
         const dvec3 pointCentred = tracer_.positionCentred(sample.point);
@@ -160,16 +159,13 @@ void addVolumeCauses(const Evidence& evidence, std::vector<Cause>& causes) {
     const Volumes volumes(evidence);
     const trace::EyeRays rays = evidence.tracer.eyeRays(evidence.camera, evidence.size());
     std::vector<VolumeCounts> counts(evidence.samples.size());
-    predictAll(evidence, [&](const Sample& sample) {
-        counts[static_cast<std::size_t>(&sample - evidence.samples.data())] = volumes.at(sample, rays);
-        return Prediction::none;
-    });
+    forSamples(evidence, [&](std::size_t i) { counts[i] = volumes.at(evidence.samples[i], rays); });
     for (const Rule& rule : kRules) {
         Cause cause{rule.id, "", rule.remedy, Predictions(counts.size(), Prediction::none)};
         cause.likelihood = rule.likelihood;
         for (std::size_t i = 0; i < counts.size(); ++i)
             if (counts[i].facesLight) cause.predictions[i] = predicted(!rule.isDark(counts[i]));
-        cause.what = std::string(rule.what) + ": counted so, " + picture::fixed(100 * explained(evidence, cause.predictions), 0) + " % of the wrong pixels come out as they are";
+        cause.what = std::string(rule.what) + ": counted so, " + percentText(explained(evidence, cause.predictions)) + " of the wrong pixels come out as they are";
         addIfExplains(evidence, std::move(cause), causes);
     }
 }

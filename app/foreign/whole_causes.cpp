@@ -1,15 +1,10 @@
 // Mistakes that make all of a picture alike, or turn light into shadow everywhere.
 // SPDX-License-Identifier: MIT
 #include "app/foreign/causes.h"
-#include "app/picture/verdict_reasons.h"
 
 namespace shadowlab::foreign {
 
 namespace {
-
-using trace::Visibility;
-
-std::string wholeShare(double share) { return picture::fixed(100 * share, 0) + " %"; }
 
 void addWhole(const Evidence& evidence, Cause cause, std::vector<Cause>& causes) {
     cause.isOfPicture = true;
@@ -19,16 +14,13 @@ void addWhole(const Evidence& evidence, Cause cause, std::vector<Cause>& causes)
 } // namespace
 
 void addWholeCauses(const Evidence& evidence, std::vector<Cause>& causes) {
-    const auto facing = [&](const Sample& sample) {
-        const Visibility truth = evidence.truth.visibility[sample.index];
-        return truth == Visibility::lit || truth == Visibility::shadowed;
-    };
+    const auto facing = [&](const Sample& sample) { return facesTheLight(evidence.truth.visibility[sample.index]); };
     double lit = 0, dark = 0;
     for (const Sample& sample : evidence.samples)
         if (facing(sample)) (sample.isLit ? lit : dark) += sample.weight;
     Cause inverted{"inverted", "", "write 255 where the light is seen and 0 where it is not", {}};
     inverted.predictions = predictAll(evidence, [&](const Sample& sample) { return facing(sample) ? predicted(!sample.shouldBeLit) : Prediction::none; });
-    inverted.what = "light and shadow are exchanged: " + wholeShare(explained(evidence, inverted.predictions)) + " of the wrong pixels are the opposite of the truth everywhere";
+    inverted.what = "light and shadow are exchanged: " + percentText(explained(evidence, inverted.predictions)) + " of the wrong pixels are the opposite of the truth everywhere";
     // A picture that is all of one kind is not inverted.
     if (lit > 0 && dark > 0) addWhole(evidence, std::move(inverted), causes);
 
@@ -36,7 +28,7 @@ void addWholeCauses(const Evidence& evidence, std::vector<Cause>& causes) {
     constexpr double kOfDescriptions = 0.9; // what predicts the same and says why goes before
     constexpr double kNearlyNone = 0.002; // of all pixels that face the light
     if (dark < kNearlyNone * (lit + dark)) {
-        Cause none{"no-shadows", "no shadow is drawn at all: " + wholeShare(lit / (lit + dark)) + " of what faces the light is lit",
+        Cause none{"no-shadows", "no shadow is drawn at all: " + percentText(lit / (lit + dark)) + " of what faces the light is lit",
                    "see that casters are drawn into the map or the volumes, that counts are not all negative (wrong winding, or a test that never fails)", {}};
         none.likelihood = kSeenPlainly;
         none.predictions = predictAll(evidence, [&](const Sample& sample) { return predicted(facing(sample)); });

@@ -3,14 +3,12 @@
 // only if nothing turns its normal to the viewer.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "app/foreign/causes.h"
 #include "app/foreign/rays_of_causes.h"
-#include "app/picture/verdict_reasons.h"
-#include "techniques/foundation/scene/query/facing.h"
 #include "techniques/foundation/scene/query/shading.h"
-#include "techniques/foundation/trace/bvh/bvh_traverse.h"
 
 namespace shadowlab::foreign {
 
@@ -39,22 +37,13 @@ public:
     [[nodiscard]] const std::vector<std::uint8_t>& allCast() const { return casts_; }
     /// Casters that turn that side to the light.
     [[nodiscard]] std::vector<std::uint8_t> castersWithSide(int side) const {
-        std::vector<std::uint8_t> flags = casts_;
-        for (std::size_t i = 0; i < flags.size(); ++i)
-            if (ofLight_[i] != side) flags[i] = 0;
-        return flags;
+        return castersWhere([&](std::size_t i) { return ofLight_[i] == side; });
     }
     [[nodiscard]] std::vector<std::uint8_t> castersWithout(std::uint32_t object) const {
-        std::vector<std::uint8_t> flags = casts_;
-        for (std::size_t i = 0; i < flags.size(); ++i)
-            if (evidence_.tracer.world().objects[i] == object) flags[i] = 0;
-        return flags;
+        return castersWhere([&](std::size_t i) { return objectOf(i) != object; });
     }
     [[nodiscard]] std::vector<std::uint8_t> castersOf(std::uint32_t object) const {
-        std::vector<std::uint8_t> flags = casts_;
-        for (std::size_t i = 0; i < flags.size(); ++i)
-            if (evidence_.tracer.world().objects[i] != object) flags[i] = 0;
-        return flags;
+        return castersWhere([&](std::size_t i) { return objectOf(i) == object; });
     }
     /// Triangles that turn that side to the eye.
     [[nodiscard]] std::vector<std::uint8_t> seenWithSide(int side) const {
@@ -77,9 +66,7 @@ public:
                 const trace::Ray ray = rays.through(dvec2(sample.pixel) + 0.5);
                 trace::MayHit mayHit = tracer.mayMeet(trace::kNoPrimitive);
                 mayHit.flags = rules.seen.data();
-                point = tracer.surfacePoint(ray.directionCentred, tracer.bvh().closest(ray, mayHit, [&](std::uint32_t p, const dvec3& at) {
-                    return mayHit.inHole(p, at);
-                }));
+                point = tracer.surfacePoint(ray.directionCentred, closestOf(tracer, ray, mayHit));
             }
             if (!point) return ofBackground(evidence_, sample);
             if (!faces(rules, point)) return Prediction::dark;
@@ -91,30 +78,34 @@ public:
     /// The objects that stand before the most wrong pixels, or that show them.
     [[nodiscard]] std::vector<std::uint32_t> suspects(bool casters) const {
         constexpr std::size_t kMost = 6; // of which each is asked for all samples
-        std::map<std::uint32_t, double> weights;
-        for (const Sample& sample : evidence_.samples) {
-            if (!sample.isWrong() || !sample.point || sample.isLit != casters) continue;
-            std::uint32_t primitive = sample.point.primitive;
-            if (casters) primitive = evidence_.tracer.blocker(sample.point, evidence_.light);
-            if (primitive != trace::kNoPrimitive) weights[evidence_.tracer.world().objects[primitive]] += sample.weight;
-        }
-        return heaviest(weights, kMost);
+        return heaviest(kMost, [&](const Sample& sample) {
+            if (!sample.isWrong() || sample.isLit != casters) return trace::kNoPrimitive;
+            return casters ? evidence_.tracer.blocker(sample.point, evidence_.light) : sample.point.primitive;
+        });
     }
 
     /// The objects in front of samples that are rightly dark.
     [[nodiscard]] std::vector<std::uint32_t> castersSeen() const {
         constexpr std::size_t kMost = 4;
-        std::map<std::uint32_t, double> weights;
-        for (const Sample& sample : evidence_.samples) {
-            if (sample.isWrong() || sample.isLit || evidence_.truth.visibility[sample.index] != trace::Visibility::shadowed) continue;
-            const std::uint32_t primitive = evidence_.tracer.blocker(sample.point, evidence_.light);
-            if (primitive != trace::kNoPrimitive) weights[evidence_.tracer.world().objects[primitive]] += sample.weight;
-        }
-        return heaviest(weights, kMost);
+        return heaviest(kMost, [&](const Sample& sample) {
+            if (sample.isWrong() || sample.isLit || evidence_.truth.visibility[sample.index] != trace::Visibility::shadowed) return trace::kNoPrimitive;
+            return evidence_.tracer.blocker(sample.point, evidence_.light);
+        });
     }
 
 private:
-    [[nodiscard]] static std::vector<std::uint32_t> heaviest(const std::map<std::uint32_t, double>& weights, std::size_t most) {
+    [[nodiscard]] std::uint32_t objectOf(std::size_t primitive) const { return evidence_.tracer.world().objects[primitive]; }
+    [[nodiscard]] std::vector<std::uint8_t> castersWhere(const std::function<bool(std::size_t primitive)>& stays) const {
+        std::vector<std::uint8_t> flags = casts_;
+        for (std::size_t i = 0; i < flags.size(); ++i)
+            if (!stays(i)) flags[i] = 0;
+        return flags;
+    }
+    /// The objects of the triangles that `primitiveOf` names for most samples; kNoPrimitive: none.
+    [[nodiscard]] std::vector<std::uint32_t> heaviest(std::size_t most, const std::function<std::uint32_t(const Sample&)>& primitiveOf) const {
+        std::map<std::uint32_t, double> weights;
+        for (const Sample& sample : evidence_.samples)
+            if (const std::uint32_t primitive = primitiveOf(sample); primitive != trace::kNoPrimitive) weights[objectOf(primitive)] += sample.weight;
         std::vector<std::uint32_t> objects;
         for (const auto& [object, weight] : weights)
             objects.push_back(object);
@@ -149,12 +140,10 @@ struct Tried {
     double likelihood = 1;
 };
 
-std::string sharePercent(double share) { return picture::fixed(100 * share, 0) + " %"; }
-
 void tryOut(const Evidence& evidence, const Sides& sides, Tried tried, const std::string& name, std::vector<Cause>& causes) {
     Cause cause{tried.id, "", tried.remedy, sides.predictions(tried.rules)};
     cause.likelihood = tried.likelihood;
-    cause.what = tried.what + name + ": this explains " + sharePercent(explained(evidence, cause.predictions)) + " of the wrong pixels";
+    cause.what = tried.what + name + ": this explains " + percentText(explained(evidence, cause.predictions)) + " of the wrong pixels";
     addIfExplains(evidence, std::move(cause), causes);
 }
 

@@ -10,8 +10,7 @@ namespace {
 
 using judge::Verdict;
 
-constexpr int kApart = 3;         // pixels: acne's stripes are closer, two objects' shadows are not
-constexpr float kCorePx = 1.5f;   // as core errors are counted (judge/metrics/boundary.h)
+constexpr int kApart = 3; // pixels: acne's stripes are closer, two objects' shadows are not
 
 bool isWrongAt(const Evidence& evidence, std::size_t i) {
     const Verdict verdict = evidence.judgement.verdicts[i];
@@ -34,7 +33,7 @@ void addPixel(const Evidence& evidence, ivec2 pixel, Found& found) {
     ++region.pixels;
     ++(evidence.judgement.verdicts[i] == Verdict::falseLit ? region.falseLit : region.falseShadow);
     const auto isBefore = [](ivec2 a, ivec2 b) { return a.y != b.y ? a.y < b.y : a.x < b.x; };
-    const bool core = evidence.boundaryPx.values[i] > kCorePx;
+    const bool core = evidence.boundaryPx.values[i] > judge::kCorePx;
     region.core += core;
     // The first of the core errors; until there is one, the first of all.
     if (core && (!found.hasFirst || isBefore(pixel, region.firstWrong))) region.firstWrong = pixel, found.hasFirst = true;
@@ -74,11 +73,16 @@ std::optional<Region> worstRegion(const Evidence& evidence) {
     Region region = std::move(worst->region);
     const auto most = std::ranges::max_element(worst->objects, {}, [](const auto& entry) { return entry.second; });
     if (most->first != trace::kNoPrimitive) region.object = evidence.tracer.scene().objects[most->first].name;
+    return region;
+}
+
+std::vector<std::uint8_t> samplesIn(const Evidence& evidence, const Region& region) {
+    std::vector<std::uint8_t> within;
     for (const Sample& sample : evidence.samples) {
         const ivec2 from = sample.pixel - region.corner;
-        region.samples.push_back(from.x >= 0 && from.y >= 0 && from.x < region.size.x && from.y < region.size.y ? 1 : 0);
+        within.push_back(from.x >= 0 && from.y >= 0 && from.x < region.size.x && from.y < region.size.y ? 1 : 0);
     }
-    return region;
+    return within;
 }
 
 } // namespace shadowlab::foreign

@@ -16,11 +16,13 @@ struct Region {
     int core = 0;               ///< farther than a pixel and a half from any true boundary
     ivec2 firstWrong{0};        ///< in reading order: of its core errors, if there are any
     std::string object;         ///< on which most of them lie
-    std::vector<std::uint8_t> samples; ///< of the evidence: 1 if it lies in the box
 };
 
 /// Wrong pixels no more than three apart belong together, so that dispersed ones are one region. Of all regions that with most core
 /// errors, and of those alike the one with most wrong pixels. Nothing where none is wrong.
 std::optional<Region> worstRegion(const Evidence& evidence);
+
+/// Of each sample of the evidence, 1 if it lies in the region's box.
+std::vector<std::uint8_t> samplesIn(const Evidence& evidence, const Region& region);
 
 } // namespace shadowlab::foreign

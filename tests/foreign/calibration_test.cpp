@@ -40,7 +40,6 @@ image::Image drawn(const scene::Scene& board, ivec2 size, const Renderer& render
     const dvec3 right = std::cos(roll) * level + std::sin(roll) * glm::cross(level, forward), up = glm::cross(right, forward);
     const double halfHeight = std::tan(glm::radians(camera.fovYDegrees) / 2) * renderer.angleScale;
     const double halfWidth = halfHeight * size.x / size.y * renderer.aspectScale;
-    // Only the triangles whose box of pixels holds the point are tried: the board is drawn a hundred times.
     const auto radianceAt = [&](dvec2 pixel) {
         const dvec2 share = renderer.stepsOneLess ? (pixel - 0.5) / dvec2(size - 1) : pixel / dvec2(size);
         const dvec3 way = forward + (2 * share.x - 1) * halfWidth * right + (1 - 2 * share.y) * halfHeight * up;
@@ -195,6 +194,23 @@ TEST_F(CalibrationTest, EncodingsAreToldApartAtAnyExposure) {
         byte = static_cast<std::uint8_t>(std::lround(255 * encodedWith(ToneCurve::srgb, light / (1 + light))));
     }
     expectOnly(read(mapped), CalibrationFault::encoding, "no curve");
+}
+
+/// The pictures of these tests are drawn with encodedWith(): here are numbers that it must give, computed by hand. sRGB is IEC 61966-2-1.
+TEST(ToneCurveTest, EncodesAsItsFormulasSay) {
+    struct Pair {
+        ToneCurve curve;
+        double linear, encoded;
+    };
+    int cases = 0;
+    for (const Pair& pair : {Pair{ToneCurve::srgb, 0.5, 0.73536}, Pair{ToneCurve::srgb, 0.18, 0.46136}, Pair{ToneCurve::srgb, 0.002, 0.02584}, Pair{ToneCurve::linear, 0.3, 0.3},
+                             Pair{ToneCurve::power22, 0.5, 0.72974}, Pair{ToneCurve::doubleSrgb, 0.5, 0.87317}, Pair{ToneCurve::decoded, 0.5, 0.21404}}) {
+        // Five digits are given.
+        EXPECT_NEAR(encodedWith(pair.curve, pair.linear), pair.encoded, 1e-5) << toText(pair.curve);
+        EXPECT_NEAR(linearFrom(pair.curve, pair.encoded), pair.linear, 2e-5) << toText(pair.curve);
+        ++cases;
+    }
+    EXPECT_EQ(cases, 7);
 }
 
 TEST_F(CalibrationTest, ExchangedChannelsAreSaid) {

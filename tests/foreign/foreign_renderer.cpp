@@ -84,9 +84,11 @@ private:
         switch (set_.method) {
         case Method::rays: {
             const Vec way = towardLight(point);
+            if (!scene_.isSun && length(way) > set_.lightFar) return true;
             for (std::size_t i = 0; i < scene_.triangles.size(); ++i) {
                 if (static_cast<int>(i) == hit.tri || !casts_[i]) continue;
                 const double t = meet(scene_.triangles[i], point, way);
+                if (!scene_.isSun && (1 - t) * length(way) < set_.lightNear) continue;
                 if (t > 1e-10 && t < (scene_.isSun ? kNone : 1) && t * length(way) > set_.bias) return false;
             }
             return true;

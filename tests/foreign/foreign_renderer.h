@@ -32,6 +32,8 @@ struct Settings {
     bool reversed = false;        ///< fronts are taken for backs
     bool normalsToViewer = true;  ///< else only fronts are lit
     int withoutThing = -1;        ///< that casts no shadow
+    double lightNear = 0;         ///< metres, of rays: casters nearer to the light cast no shadow
+    double lightFar = 1e30;       ///< metres, of rays: what lies farther from the light is lit
     int samples = 1;              ///< n x n a pixel
 };
 

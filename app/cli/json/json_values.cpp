@@ -11,6 +11,13 @@ Json vectorJson(const dvec4& v) { return {v.x, v.y, v.z, v.w}; }
 Json vectorJson(const std::optional<dvec3>& v) { return v ? vectorJson(*v) : Json(); }
 Json numberJson(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 Json numberJson(const std::optional<double>& value) { return value ? numberJson(*value) : Json(); }
+Json displacementJson(const std::optional<judge::Displacement>& displacement) {
+    if (!displacement) return nullptr;
+    return {{"mean", displacement->mean}, {"p95", displacement->p95}, {"max", displacement->max}};
+}
+
+std::string truthName(judge::TruthOf truth) { return truth == judge::TruthOf::area ? "area" : "centre"; }
+
 Json textJson(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 Json timesJson(const judge::FrameTimes& times) {

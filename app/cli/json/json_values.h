@@ -7,7 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/judge/metrics/boundary.h"
 #include "app/judge/metrics/frame_times.h"
+#include "app/judge/truth.h"
 #include "techniques/foundation/math/types.h"
 #include "techniques/frame.h"
 
@@ -27,6 +29,10 @@ Json numberJson(const std::optional<double>& value);
 Json timesJson(const judge::FrameTimes& times);
 /// {"casters": {"built", "of", "unit"}, ...}
 Json countersJson(const std::vector<Counter>& counters);
+/// {"mean", "p95", "max"} in pixels; null where there is none.
+Json displacementJson(const std::optional<judge::Displacement>& displacement);
+/// "area" or "centre": what of a light the truth is about.
+std::string truthName(judge::TruthOf truth);
 /// null where the text is empty.
 Json textJson(const std::string& text);
 

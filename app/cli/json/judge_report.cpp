@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/json/judge_report.h"
 
-#include <glm/vector_relational.hpp>
-
 #include "app/cli/json/json_values.h"
 #include "app/cli/text_table.h"
 #include "app/picture/verdict_reasons.h"
@@ -13,8 +11,6 @@ namespace {
 
 using foreign::Calibration;
 using foreign::JudgedPicture;
-
-const char* truthName(judge::TruthOf truth) { return truth == judge::TruthOf::area ? "area" : "centre"; }
 
 Json calibrationJson(const Calibration& calibration) {
     Json faults = Json::array();
@@ -47,8 +43,7 @@ Json judgedJson(const JudgedPicture& judged) {
     json["coreErrors"] = judged.core;
     json["stray"] = counts.stray;
     json["edgeErrorPx"] = numberJson(judged.errors.edgeErrorPx);
-    json["boundaryPx"] = nullptr;
-    if (judged.boundaryPx) json["boundaryPx"] = {{"mean", judged.boundaryPx->mean}, {"p95", judged.boundaryPx->p95}, {"max", judged.boundaryPx->max}};
+    json["boundaryPx"] = displacementJson(judged.boundaryPx);
     json["rmse"] = counts.rmse;
     json["lightStrength"] = judged.found.strength;
     json["clipped"] = judged.found.clipped;
@@ -76,7 +71,7 @@ Json diagnosisJson(const JudgedPicture& judged) {
 }
 
 Json encodingJson(const foreign::SeenEncoding& encoding) {
-    return {{"curve", foreign::toText(encoding.curve)}, {"levels", encoding.levels}, {"levelsOfRightCurve", encoding.levelsOfSrgb}};
+    return {{"curve", foreign::toText(encoding.curve)}, {"levels", encoding.levels}, {"levelsOfRightCurve", encoding.levelsOfRight}};
 }
 
 std::string numberText(const std::optional<double>& number, int decimals) { return number ? picture::fixed(*number, decimals) : "-"; }
@@ -88,7 +83,7 @@ const char* besideText(foreign::Beside beside) {
 std::string encodingText(const JudgeReport& report, const foreign::SeenEncoding& encoding) {
     const std::string which = report.reference.empty() ? "the penumbras are" : "the reference is";
     return which + " encoded with " + std::string(foreign::toText(encoding.curve)) + (report.reference.empty() ? ", not as it is" : ", not with sRGB") +
-           ": so read, its pixels are " + picture::fixed(encoding.levels, 1) + " levels of 255 off in the middle, else " + picture::fixed(encoding.levelsOfSrgb, 1);
+           ": so read, its pixels are " + picture::fixed(encoding.levels, 1) + " levels of 255 off in the middle, else " + picture::fixed(encoding.levelsOfRight, 1);
 }
 
 std::string calibrationText(const JudgeReport& report) {

@@ -17,8 +17,6 @@ namespace {
 using Result = report::TechniqueErrors;
 
 /// What a technique is judged by.
-const char* nameOfTruth(judge::TruthOf truth) { return truth == judge::TruthOf::area ? "area" : "centre"; }
-
 Json shareErrorsJson(const judge::ShareErrors& errors) {
     return {{"pixels", errors.pixels}, {"rmse", errors.rmse}, {"mean", errors.mean}, {"max", errors.largest}};
 }
@@ -37,7 +35,7 @@ Json resultJson(const Measured& measured, const Result& result) {
     Json entry;
     entry["technique"] = result.technique;
     entry["light"] = measured.light;
-    entry["truth"] = nameOfTruth(result.truth);
+    entry["truth"] = truthName(result.truth);
     entry["pixels"] = counts.pixels;
     entry["lit"] = counts.lit;
     entry["shadowed"] = counts.shadowed;
@@ -49,10 +47,7 @@ Json resultJson(const Measured& measured, const Result& result) {
     entry["coreErrors"] = result.coreErrors;
     entry["stray"] = counts.stray;
     entry["edgeErrorPx"] = numberJson(result.edgeErrorPx);
-    entry["boundaryPx"] = nullptr;
-    if (result.boundaryPx)
-        entry["boundaryPx"] = {
-            {"mean", result.boundaryPx->mean}, {"p95", result.boundaryPx->p95}, {"max", result.boundaryPx->max}};
+    entry["boundaryPx"] = displacementJson(result.boundaryPx);
     entry["rmse"] = counts.rmse;
     if (result.coverage) entry["coverage"] = coverageJson(*result.coverage);
     entry["psnr"] = numberJson(result.picture.psnr);
@@ -85,7 +80,7 @@ Rows truthRows(const Measured& measured) {
         const auto found = std::ranges::find(measured.results, truth, &Result::truth);
         if (found == measured.results.end()) continue;
         const judge::Counts& counts = found->counts;
-        rows[0].insert(rows[0].end(), {std::string(nameOfTruth(truth)) + ", pixels", "share"});
+        rows[0].insert(rows[0].end(), {std::string(truthName(truth)) + ", pixels", "share"});
         const std::array parts = {counts.lit, counts.shadowed, counts.turnedAway, counts.ties};
         for (std::size_t i = 0; i < parts.size(); ++i)
             rows[i + 1].insert(rows[i + 1].end(), {std::to_string(parts[i]), percent(parts[i], counts.pixels)});
@@ -101,7 +96,7 @@ Rows errorRows(const Measured& measured) {
                "max", "RMSE", "served", measured.frames > 1 ? "excess flips" : ""}};
     for (const Result& result : measured.results) {
         const auto& boundary = result.boundaryPx;
-        rows.push_back({result.technique, nameOfTruth(result.truth), std::to_string(result.counts.falseLit),
+        rows.push_back({result.technique, truthName(result.truth), std::to_string(result.counts.falseLit),
                         std::to_string(result.counts.falseShadow), std::to_string(result.coreErrors),
                         fixed(result.edgeErrorPx, 4), boundary ? fixed(boundary->mean, 3) : "-",
                         boundary ? fixed(boundary->p95, 2) : "-", boundary ? fixed(boundary->max, 2) : "-",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cctype>
 
 #include "app/context/assets.h"
 #include "techniques/foundation/base/error.h"

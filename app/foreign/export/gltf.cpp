@@ -1,7 +1,7 @@
 // glTF 2.0, one binary file (.glb): meshes, materials with their images, a camera, and lights by KHR_lights_punctual.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cstring>
+#include <cmath>
 #include <set>
 
 #include <nlohmann/json.hpp>

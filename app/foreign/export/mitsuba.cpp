@@ -2,7 +2,8 @@
 // samples anywhere in a pixel and cannot leave shadows out, so its pictures are not judged; the rays of the script go through pixel centres.
 // SPDX-License-Identifier: MIT
 #include <bit>
-#include <cstring>
+#include <set>
+#include <utility>
 
 #include "app/drawing/markup.h"
 #include "app/foreign/export/format.h"
@@ -83,9 +84,15 @@ std::string emitterText(const scene::Light& light) {
     return "";
 }
 
+/// The file of an image's holes, beside its own: "textures/leaf.png" has "textures/leaf-holes.png".
+std::string holesFile(std::string file) {
+    file.insert(file.size() - 4, "-holes"); // before ".png"
+    return file;
+}
+
 std::string bitmap(const std::string& name, const PlainMaterial& plain, const PlainScene& scene, bool isMask) {
     std::string file = scene.images[static_cast<std::size_t>(plain.image)].file;
-    if (isMask) file.insert(file.size() - 4, "-holes"); // before ".png"
+    if (isMask) file = holesFile(std::move(file));
     return "<texture type=\"bitmap\" name=\"" + name + "\"><string name=\"filename\" value=\"" + file + "\"/><string name=\"wrap_mode\" value=\"" +
            (plain.clamped ? "clamp" : "repeat") + "\"/>" +
            (isMask ? "<string name=\"filter_type\" value=\"nearest\"/><boolean name=\"raw\" value=\"true\"/>" : "") + "</texture>";
@@ -121,10 +128,12 @@ bool needsPaths(const PlainScene& scene) {
 
 /// Mitsuba reads no alpha: holes are pictures of their own, black where there is a hole.
 void writeMasks(const ExportJob& job) {
-    for (const PlainMaterial& material : job.scene.materials) {
-        if (!material.hasHoles) continue;
-        PlainImage mask = job.scene.images[static_cast<std::size_t>(material.image)];
-        mask.file.insert(mask.file.size() - 4, "-holes");
+    std::set<int> images; // several materials may share one
+    for (const PlainMaterial& material : job.scene.materials)
+        if (material.hasHoles) images.insert(material.image);
+    for (const int index : images) {
+        PlainImage mask = job.scene.images[static_cast<std::size_t>(index)];
+        mask.file = holesFile(std::move(mask.file));
         for (std::size_t at = 0; at < mask.image.rgba.size(); at += image::kChannels) {
             for (std::size_t c = 0; c < 3; ++c)
                 mask.image.rgba[at + c] = mask.image.rgba[at + 3];

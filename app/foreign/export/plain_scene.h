@@ -3,7 +3,6 @@
 // Every exporter writes this and nothing else.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <memory>
 #include <string>
 #include <vector>
 

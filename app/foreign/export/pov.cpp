@@ -3,6 +3,9 @@
 // POV-Ray's world is left-handed by habit alone: its camera takes the vectors that it is given, so right, up and direction are those of
 // the scene and nothing is mirrored.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
 #include <glm/gtc/constants.hpp>
 
 #include "app/foreign/export/format.h"

@@ -18,7 +18,6 @@ namespace {
 using Squared = std::int32_t;
 constexpr Squared kFar = std::numeric_limits<Squared>::max();
 
-constexpr double kCorePx = 1.5; ///< beside a boundary the centres of pixels are 0.5 and 1.5 px away: one pixel of slack
 constexpr double kCoreTexels = 1.5;
 
 /// For each place of a line, the least of (place - i)^2 + values[i]: the lower envelope of parabolas, one standing on

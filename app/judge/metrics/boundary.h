@@ -41,7 +41,11 @@ struct Displacement {
 std::optional<Displacement> displacement(const std::vector<BoundaryEdge>& truth,
                                          const std::vector<BoundaryEdge>& technique, ivec2 size);
 
-/// Wrong pixels farther from the boundary than aliasing can explain: more than 1.5 pixels, and more than 1.5 texels
+/// Farther from the boundary, aliasing explains no error: beside it the centres of pixels are 0.5 and 1.5 px away, so
+/// that is one pixel of slack.
+constexpr double kCorePx = 1.5;
+
+/// Wrong pixels farther from the boundary than aliasing can explain: more than kCorePx, and more than 1.5 texels
 /// where `texelPx` says how many pixels a texel of a shadow map covers there (0: unknown). What is left is a wrong
 /// algorithm.
 int coreErrors(const Grid<std::uint8_t>& wrong, const Grid<float>& distancePx,
