@@ -10,7 +10,7 @@
 build_packages=(
     g++ cmake ninja-build python3-glad
     libcairo2-dev libcli11-dev libegl-dev libeigen3-dev libfreetype-dev libglfw3-dev libglm-dev libgtest-dev libimgui-dev
-    libpng-dev librapidcheck-dev libtinygltf-dev libtinyobjloader-dev libturbojpeg0-dev nlohmann-json3-dev pkgconf
+    libpng-dev librapidcheck-dev libtinygltf-dev libtinyobjloader-dev libturbojpeg0-dev libwebp-dev nlohmann-json3-dev pkgconf zlib1g-dev
     libegl1 libgl1-mesa-dri 'libosmesa6|'
 )
 # To run the tests as well: xvfb and xauth are the display of those that need one, xdotool the hands at its keys and mouse,

@@ -10,11 +10,14 @@
 
 #include "app/cli/command.h"
 #include "app/cli/common_options.h"
+#include "app/cli/explored_deck.h"
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
 #include "app/cli/progress.h"
 #include "app/context/assets.h"
 #include "app/context/signals.h"
+#include "app/course/explore/explore_budget.h"
+#include "app/course/explore/explore_page.h"
 #include "app/course/slides/pages.h"
 #include "app/course/slides/unfinished.h"
 #include "app/picture/digest.h"
@@ -25,6 +28,7 @@
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
 #include "techniques/foundation/image/png/png.h"
+#include "techniques/foundation/scene/load/file_access.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::cli {
@@ -38,6 +42,11 @@ void describeSlides(DescribedOptions& add) {
     add.option("--only", "SLIDE", "draws that slide alone, and no page of all; several with commas between them");
     add.option("--size", "WxH", "width and height of the slides in pixels (default 1920x1080; 4K is 3840x2160)");
     add.option("--supersample", "N", "N x N samples for each pixel of a picture, from 1 to 8 (default 2)");
+    add.flag("--explore",
+             "slides that a deck calls explorable become labs in its page: a lamp to drag, a split line, steps, settings with their "
+             "errors, pixels to ask");
+    add.option("--explore-budget", "MB",
+               "what the labs of a page take at most (default 20): fewer positions of the lamp and smaller pictures are chosen to fit");
     describeBackend(add);
     add.option("--allow", "DIR", "a further folder that the decks' scenes may take meshes from; may be repeated");
     add.footer(
@@ -57,6 +66,11 @@ SlidesOptions slidesOptions(const GivenOptions& given) {
     options.look.size = sizeFrom("--size", given.text("--size", "1920x1080"), "picture-side");
     constexpr int kLeastHeight = 360;                 // below, type dissolves
     constexpr double kNarrowest = 1.2, kWidest = 2.5; // shapes that slides are laid out for
+    options.explores = given.has("--explore") || given.has("--explore-budget");
+    constexpr int kLargestPage = 500; // megabytes: larger pages are opened by no browser of a phone
+    constexpr std::size_t kMegabyte = 1000000;
+    options.exploreBytes =
+        kMegabyte * static_cast<std::size_t>(countFrom("--explore-budget", given.text("--explore-budget", "20"), kLargestPage));
     const double aspect = static_cast<double>(options.look.size.x) / options.look.size.y;
     if (options.look.size.y < kLeastHeight || aspect < kNarrowest || aspect > kWidest)
         refuseUsage(
@@ -74,6 +88,8 @@ SlidesOptions slidesOptions(const GivenOptions& given) {
 }
 
 using course::Deck;
+
+constexpr std::uint64_t kLargestElements = 1 << 16; ///< bytes beside the pieces: what the elements of a lab have around them
 
 void makeFolder(const std::filesystem::path& folder) {
     image::makeFolders(folder);
@@ -101,7 +117,8 @@ public:
         makeFolder(folders[1]);
         makeFolder(folders[0]);
         makePainter();
-        progress_.emplace("slide", total_);
+        countStates();
+        progress_.emplace(options_.explores ? "picture" : "slide", total_, Progress::Remaining::told);
         try {
             for (Deck& deck : decks_)
                 draw(deck);
@@ -141,6 +158,25 @@ private:
                 total_ += isWanted(slide);
     }
 
+    /// Of explorable slides every state is a picture of its own. One that cannot be read says so when its turn comes.
+    void countStates() {
+        slides_ = total_;
+        if (!options_.explores) return;
+        for (Deck& deck : decks_) {
+            std::vector<int>& states = states_.emplace_back(deck.slides().size());
+            for (std::size_t i = 0; i < deck.slides().size(); ++i) {
+                if (!isWanted(deck.slides()[i])) continue;
+                try {
+                    const course::Slide slide = deck.read(i);
+                    if (slide.explore) states[i] = course::exploredStates(slide, *slide.explore, course::askedSize(*slide.explore));
+                } catch (const Error&) {
+                    continue;
+                }
+                total_ += states[i];
+            }
+        }
+    }
+
     void makePainter() {
         const course::SlideLook& look = options_.look;
         if (const int limit = context::largestSide(); std::max(look.size.x, look.size.y) * look.supersample > limit)
@@ -150,7 +186,7 @@ private:
         painter_ = std::make_unique<course::SlidePainter>(context::assetsRoot() / "fonts", look);
         madeBy_ = student::programDigest() + context::glVersion() + context::glRenderer() +
                   std::to_string(look.size.x) + "x" + std::to_string(look.size.y) + " by " +
-                  std::to_string(look.supersample);
+                  std::to_string(look.supersample) + (options_.explores ? " " + std::to_string(options_.exploreBytes) : "");
     }
 
     /// The next run draws all slides again.
@@ -162,9 +198,13 @@ private:
             for (std::size_t i = 0; i < deck.slides().size(); ++i)
                 if (isWanted(deck.slides()[i])) drawn.push_back(numbered(deck, i));
             unfinished.discard(drawn);
+            std::error_code ignored;
+            if (options_.explores)
+                for (std::size_t i = 0; i < deck.slides().size(); ++i)
+                    std::filesystem::remove(options_.output / exploredFile(deck.name() + "-" + numbered(deck, i)), ignored);
         }
         if (stood_ > 0)
-            note(std::to_string(stood_) + " of " + std::to_string(total_) +
+            note(std::to_string(stood_) + " of " + std::to_string(slides_) +
                  " slides were there already, from a run that did not come to its end");
     }
 
@@ -187,9 +227,15 @@ private:
             note(scene::shownPath(unfinished.file()) +
                  ": is none of ours, so an interrupted run would begin again; move it away");
         std::vector<course::PageSlide> pages;
+        const auto number = static_cast<std::size_t>(&deck - decks_.data());
+        if (options_.explores)
+            explored_.emplace(options_.output, deck.name(), options_.exploreBytes,
+                              static_cast<int>(std::ranges::count_if(states_[number], [](int states) { return states > 0; })),
+                              options_.look.supersample);
         for (std::size_t i = 0; i < deck.slides().size(); ++i) {
             if (!isWanted(deck.slides()[i])) continue;
             context::throwIfInterrupted();
+            const int before = done_;
             try {
                 pages.push_back(draw(deck, i));
             } catch (const Error& error) {
@@ -197,12 +243,18 @@ private:
                 complain(place(deck, i, error.what()));
                 if (worst_ == ExitStatus::ok) worst_ = error.status();
             }
-            progress_->done(++done_);
+            done_ = before + 1 + (options_.explores ? states_[number][i] : 0); // whatever of it was drawn, or stood already
+            progress_->done(done_);
         }
         if (!options_.only.empty() || pages.empty()) return;
         const double aspect = static_cast<double>(options_.look.size.x) / options_.look.size.y;
-        image::writeWhole(options_.output / (deck.name() + ".html"), course::htmlPage(deck, pages, aspect));
+        image::writeWhole(options_.output / (deck.name() + ".html"), course::htmlPage(deck, pages, aspect, exploreCode(pages)));
         image::writeWhole(options_.output / (deck.name() + ".md"), course::markdown(deck, pages));
+    }
+
+    static course::ExploreCode exploreCode(const std::vector<course::PageSlide>& pages) {
+        const bool isNeeded = std::ranges::any_of(pages, [](const course::PageSlide& page) { return !page.explored.empty(); });
+        return isNeeded ? course::exploreCode(context::assetsRoot()) : course::ExploreCode();
     }
 
     /// What is wrong with a slide, naming it; what the file's readers say names file and line already.
@@ -220,11 +272,17 @@ private:
         if (!page.slide.pictures.empty()) files.emplace_back(page.pictureFile = "pictures/" + name + ".png");
         if (course::showsWordsAsPicture(page.slide))
             files.emplace_back(page.wordsFile = "pictures/" + name + "-with-words.png");
+        const bool isExplored = options_.explores && page.slide.explore;
+        if (isExplored) files.emplace_back(exploredFile(name)); // last
         const course::Unfinished unfinished(options_.output, deck.name());
         const std::string from = madeFrom(deck, page.slide);
         if (std::optional<course::StandingSlide> standing = unfinished.find(numbered(deck, number), from, files)) {
             page.png = std::move(standing->png);
             page.picturesAt = standing->picturesAt;
+            if (isExplored) {
+                page.explored = scene::readFile(options_.output / files.back(), options_.exploreBytes + kLargestElements);
+                explored_->countStanding(page.explored.size());
+            }
             ++stood_;
             return page;
         }
@@ -242,9 +300,20 @@ private:
         page.picturesAt = drawn.picturesAt;
         if (!page.pictureFile.empty()) write(page.pictureFile, drawn.pictures);
         if (!page.wordsFile.empty()) write(page.wordsFile, drawn.content);
+        if (isExplored) {
+            page.explored = explored_->elementsOf(page.slide, [this] {
+                context::throwIfInterrupted();
+                progress_->done(++done_);
+            });
+            image::writeWhole(options_.output / files.back(), page.explored);
+            digests.push_back(picture::digestOf(page.explored));
+        }
         unfinished.keep(numbered(deck, number), from, digests, page.picturesAt); // last: with it the slide stands
         return page;
     }
+
+    /// Kept until all is drawn: the page holds it then.
+    static std::string exploredFile(const std::string& slide) { return slide + ".explored.html"; }
 
     /// A digest of all that the slide's files depend on.
     [[nodiscard]] std::string madeFrom(const Deck& deck, const course::Slide& slide) const {
@@ -260,8 +329,11 @@ private:
     std::unique_ptr<context::Context> context_;
     std::unique_ptr<course::SlidePainter> painter_;
     std::optional<Progress> progress_;
-    int total_ = 0;                     ///< slides that are asked for
-    int done_ = 0, stood_ = 0;          ///< of them: so far; drawn by a run before this one
+    std::optional<ExploredDeck> explored_; ///< of the deck that is drawn now
+    std::vector<std::vector<int>> states_; ///< of each deck's slides: how many states a lab has; 0: it is a picture
+    int slides_ = 0;                    ///< that are asked for
+    int total_ = 0, done_ = 0;          ///< pictures: slides and states; so far
+    int stood_ = 0;                     ///< slides that a run before this one has drawn
     ExitStatus worst_ = ExitStatus::ok; ///< of the first slide that failed
 };
 

@@ -1,6 +1,7 @@
 // `shadowlab slides`; also called by `demo` where there is no display.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@ struct SlidesOptions {
     std::vector<std::string> only;  ///< names of slides; empty: all
     std::filesystem::path output;   ///< a folder
     course::SlideLook look;
+    bool explores = false;               ///< slides with "explore" become labs in the page
+    std::size_t exploreBytes = 20000000; ///< that those of a deck take at most
     context::Backend backend = context::Backend::automatic;
     std::vector<std::filesystem::path> allowed;
 };

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/course/explore/explore.h"
 #include "app/course/shown_state.h"
 #include "techniques/foundation/scene/load/load.h"
 
@@ -53,6 +54,7 @@ struct Slide {
     std::string alt; ///< the picture in words, for readers who cannot see it
     std::vector<std::string> notes{}; ///< for who speaks: what to say, what to ask; never drawn on the slide
     WrittenWords written;
+    std::optional<Explore> explore{}; ///< none: it stays a picture
 };
 
 /// A deck's file, open. Slides are read one by one: an error in one does not affect the others.

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "app/course/deck.h"
+#include "app/course/explore/explored_slide.h"
 #include "app/course/lessons/lesson_parts.h"
 #include "app/course/state_json.h"
 #include "app/drawing/prose.h"
@@ -168,7 +169,7 @@ struct Deck::File {
                              {"name",     "title",   "supersample", "pictures", "text",    "pseudocode", "marked",
                               "formulas", "caption", "alt",         "scene",    "camera",  "lights",     "layout",
                               "light",    "slots",   "stage",       "step",     "split",   "set",        "pixel",
-                              "partner",  "diagram", "outside",     "volumes",  "near-clip", "label",    "callouts", "notes"});
+                              "partner",  "diagram", "outside",     "volumes",  "near-clip", "label",    "callouts", "notes",     "explore"});
         Slide slide;
         slide.name = names[number];
         slide.written = {shortText(own, "title", kLongestTitle), optionalText(own, "caption", kLongestCaption),
@@ -200,6 +201,9 @@ struct Deck::File {
             const std::array<const JsonObject*, 2> levels{&top, &own};
             slide.pictures.push_back(picture(levels));
         }
+        slide.explore = readExplore(own);
+        if (slide.explore)
+            saidAt(document, own.require("explore", "").offset, [&] { return panesOf(slide, *slide.explore).size(); });
         if (!slide.pictures.empty()) slide.alt = shortText(own, "alt", kLongestAlt);
         if (slide.pictures.empty() && slide.text.empty() && slide.formulas.empty() && slide.pseudocode.empty())
             own.fail("title", "stands alone: the slide shows nothing; write \"slots\", \"pictures\", \"text\" or "

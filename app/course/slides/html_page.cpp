@@ -163,16 +163,21 @@ std::string sheet(const PageSlide& page, double aspect) {
 
 } // namespace
 
-std::string htmlPage(const Deck& deck, const std::vector<PageSlide>& slides, double aspect) {
+std::string htmlPage(const Deck& deck, const std::vector<PageSlide>& slides, double aspect, const ExploreCode& code) {
     std::string page = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-                       drawing::escapedMarkup(deck.title()) + "</title>\n<style>" + std::string(kStyle) +
+                       drawing::escapedMarkup(deck.title()) + "</title>\n<style>" + std::string(kStyle) + code.style +
                        "</style>\n</head>\n<body>\n<h1>" + drawing::escapedMarkup(deck.title()) + "</h1>\n<main>\n";
+    std::string explored;
     for (std::size_t i = 0; i < slides.size(); ++i) {
         const Slide& slide = slides[i].slide;
         const std::string place = std::to_string(i + 1) + " of " + std::to_string(slides.size());
-        page += "<section id=\"" + slide.name + "\" aria-label=\"" + place + ": " + drawing::escapedMarkup(slide.title) +
-                "\">\n<h2>" + drawing::proseMarkup(slide.written.title) + "</h2>\n" + sheet(slides[i], aspect);
+        const bool isExplored = !slides[i].explored.empty();
+        page += "<section id=\"" + slide.name + "\"" + (isExplored ? " class=\"explorable\"" : "") + " aria-label=\"" + place + ": " +
+                drawing::escapedMarkup(slide.title) + "\">\n<h2>" + drawing::proseMarkup(slide.written.title) + "</h2>\n" +
+                sheet(slides[i], aspect);
+        if (isExplored) page += "<div class=\"explore\" data-slide=\"" + slide.name + "\"></div>\n";
+        explored += slides[i].explored;
         if (const std::string words = toldWords(slide); !words.empty())
             page += "<div class=\"told\">" + words + "</div>\n";
         if (!slide.written.caption.empty()) page += "<p class=\"caption\">" + drawing::proseMarkup(slide.written.caption) + "</p>\n";
@@ -184,8 +189,10 @@ std::string htmlPage(const Deck& deck, const std::vector<PageSlide>& slides, dou
         }
         page += "</section>\n";
     }
-    return page + "</main>\n<div id=\"keys\" hidden>" + std::string(kKeys) +
-           "</div>\n<div id=\"black\" hidden></div>\n<script>" + std::string(kScript) + "</script>\n</body>\n</html>\n";
+    page += "</main>\n<div id=\"keys\" hidden>" + std::string(kKeys) + "</div>\n<div id=\"black\" hidden></div>\n" + explored;
+    page += "<script>" + std::string(kScript) + "</script>\n";
+    if (!code.script.empty()) page += "<script>" + code.script + "</script>\n";
+    return page + "</body>\n</html>\n";
 }
 
 } // namespace shadowlab::course

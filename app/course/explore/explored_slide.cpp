@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: MIT
+#include "app/course/explore/explored_slide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/course/explore/explored_numbers.h"
+#include "app/course/explore/explored_parts.h"
+#include "app/course/explore/lamp_track.h"
+#include "app/drawing/prose.h"
+#include "app/judge/metrics/frame_times.h"
+#include "app/picture/derived_stages.h"
+#include "app/picture/judged_slot.h"
+#include "app/picture/panel.h"
+#include "app/picture/steps/step_source.h"
+#include "app/picture/steps/stepping.h"
+#include "app/picture/verdict_panels.h"
+#include "techniques/foundation/base/error.h"
+
+namespace shadowlab::course {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// A parameter with its values, the slide's own among them.
+struct Knob {
+    const ExploredSetting& setting;
+    std::string label;
+    std::vector<std::string> values;
+    int start = 0;
+};
+
+/// One technique with one value of a setting: what is drawn at every position of the lamp.
+struct Variant {
+    picture::Slot slot;
+    std::vector<double> frameMs; ///< of each position
+    std::vector<Json> states;    ///< of each position
+};
+
+film::Motion motionOf(const Explore& explore, int positions) {
+    film::Motion motion;
+    motion.frames = positions;
+    if (positions > 1) motion.orbitLightDegrees = explore.lampDegrees;
+    return motion;
+}
+
+class Explorer {
+public:
+    Explorer(const Slide& slide, const Explore& explore, const ExploreRequest& request, const image::Font& font,
+             const image::Font& bold, FrameTimes& times)
+        : slide_(slide), explore_(explore), request_(request), font_(font), bold_(bold), times_(times),
+          state_(slide.pictures.front().state), panes_(panesOf(slide, explore)),
+          motion_(motionOf(explore, state_.scene->lights.empty() ? 1 : request.size.lampPositions)),
+          light_(picture::stageLight(*state_.scene, state_.light)), session_(state_.scene) {
+        findKnobs();
+        makeVariants();
+    }
+
+    ExploredSlide draw() {
+        const int positions = request_.lampPositionsToDraw > 0 ? std::min(request_.lampPositionsToDraw, motion_.frames) : motion_.frames;
+        scene::Snapshot previous;
+        for (int lamp = 0; lamp < positions; ++lamp) {
+            // A trial's positions are spread over the track.
+            const int frame = lamp * motion_.frames / positions;
+            const film::Moment moment = film::momentAt(motion_, state_.scene, frame, previous);
+            previous = moment.snapshot;
+            session_.setScene(moment.snapshot);
+            for (std::size_t pane = 0; pane < panes_.size(); ++pane)
+                for (Variant& variant : variants_[pane]) {
+                    variant.states.push_back(drawState(variant, frame));
+                    if (request_.onState) request_.onState();
+                }
+            if (isPartial(frame))
+                for (std::size_t pane = 0; pane < panes_.size(); ++pane) {
+                    drawViews(pane, frame);
+                    if (explore_.steps) drawSteps(pane, frame);
+                }
+            if (lamp == 0 && request_.lampPositionsToDraw == 0) ask();
+        }
+        return {json(), pack_.bytes()};
+    }
+
+private:
+    void findKnobs() {
+        for (const ExploredSetting& setting : explore_.settings) {
+            Knob knob{setting, "", setting.values, 0};
+            for (const ExploredPane& pane : panes_) {
+                if (pane.state.technique != setting.technique) continue;
+                picture::Slot slot = std::move(slotsOf({pane.state}).front());
+                const params::Param& param = params::find(slot.params, setting.param, setting.technique);
+                knob.label = params::labelOf(param) + (param.unit.empty() ? "" : ", " + param.unit);
+                const std::string own = params::valueText(param);
+                const auto found = std::ranges::find(knob.values, own);
+                knob.start = static_cast<int>(found - knob.values.begin());
+                if (found == knob.values.end()) knob.values.push_back(own);
+                break;
+            }
+            knobs_.push_back(std::move(knob));
+        }
+    }
+
+    /// First the slide's own settings, then for each knob its other values.
+    void makeVariants() {
+        variants_.resize(panes_.size());
+        std::vector<int> start;
+        for (const Knob& knob : knobs_)
+            start.push_back(knob.start);
+        combinations_.push_back(start);
+        for (std::size_t pane = 0; pane < panes_.size(); ++pane) {
+            addVariant(pane, panes_[pane].state);
+            places_.push_back({0});
+        }
+        for (std::size_t k = 0; k < knobs_.size(); ++k)
+            for (int value = 0; value < static_cast<int>(knobs_[k].values.size()); ++value) {
+                if (value == knobs_[k].start) continue;
+                combinations_.push_back(start);
+                combinations_.back()[k] = value;
+                for (std::size_t pane = 0; pane < panes_.size(); ++pane) {
+                    const ExploredSetting& setting = knobs_[k].setting;
+                    if (panes_[pane].state.technique != setting.technique) {
+                        places_[pane].push_back(0);
+                        continue;
+                    }
+                    lab::PaneState state = panes_[pane].state;
+                    state.settings[setting.technique][setting.param] = knobs_[k].values[static_cast<std::size_t>(value)];
+                    places_[pane].push_back(static_cast<int>(variants_[pane].size()));
+                    addVariant(pane, state);
+                }
+            }
+    }
+    void addVariant(std::size_t pane, const lab::PaneState& state) {
+        variants_[pane].push_back({std::move(slotsOf({state}).front()), {}, {}});
+    }
+
+    [[nodiscard]] View view() const {
+        View view;
+        view.camera = state_.camera;
+        view.size = request_.size.picture;
+        return view;
+    }
+
+    /// At some positions of the lamp stages and steps can be looked at, the first among them.
+    [[nodiscard]] bool isPartial(int frame) const {
+        const int every = std::max(1, motion_.frames / std::max(1, request_.size.positionsWithSteps));
+        return frame % every == 0;
+    }
+
+    picture::Panel panel(picture::Slot& slot, const picture::ResolvedStage& stage) {
+        picture::Cell cell{0, 0, request_.size.picture.x, request_.size.picture.y, request_.size.picture, 0};
+        picture::PanelRequest request;
+        request.stage = stage;
+        request.camera = state_.camera;
+        request.supersample = stage.isDerived() ? 1 : request_.supersample;
+        const SlidePicture& first = slide_.pictures.front();
+        const ivec2 samples = request_.size.picture * request.supersample;
+        if (first.pixel) request.picked = lab::pixelAt(*first.pixel, samples);
+        if (first.partner) request.partner = lab::pixelAt(*first.partner, samples);
+        request.font = &font_;
+        request.liftsSteps = true;
+        request.markWidth = picture::wideMark(request_.size.picture.y);
+        picture::Panel panel = picture::renderPanel(session_, slot, encoder_, cell, request).panel;
+        panel.picture = centred(panel.picture, request_.size.picture);
+        return panel;
+    }
+
+    /// Photographs lose what is not seen; colours that mean something are kept as they are.
+    int add(const picture::Panel& panel) {
+        return pack_.add(panel.picture, panel.kind == StageKind::radiance ? image::WebpKind::photo : image::WebpKind::exact);
+    }
+
+    Json drawState(Variant& variant, int frame) {
+        picture::Slot& slot = variant.slot;
+        FrameRequest timed;
+        timed.finished = &slot.finished;
+        // The first frame finds silhouettes and builds trees: with a lamp that rests, the next ones are what a frame costs.
+        const int frames = motion_.frames > 1 ? 1 : kFramesAtRest;
+        for (int i = 0; i < frames; ++i)
+            variant.frameMs.push_back(session_.render(slot, view(), timed).frameMs);
+        Json state{{"lamp", frame}, {"picture", add(panel(slot, {}))}, {"numbers", Json::object()}};
+        if (!explore_.errors || light_ == kNoLight || !publishes(*slot.info, kVisibilityStage)) return state;
+        const picture::JudgedSlot judged = picture::judgeSlot(session_, slot, view(), light_);
+        const judge::Counts& counts = judged.found.errors.judgement.counts;
+        const picture::Panel verdicts =
+            picture::errorOverlay(judged.truth, judged.found.errors.judgement, {}, picture::wideMark(request_.size.picture.y));
+        const picture::Panel truth = picture::truthPanel(judged.truth, {});
+        state["verdict"] = pack_.add(verdicts.picture, image::WebpKind::exact);
+        state["truth"] = pack_.add(truth.picture, image::WebpKind::exact);
+        state["verdictLegend"] = legendJson(verdicts);
+        state["truthLegend"] = legendJson(truth);
+        const ExploredNumbers numbers{judged.found.core, counts.falseLit, counts.falseShadow,
+                                      counts.lit + counts.shadowed + counts.turnedAway, judged.found.errors.edgeErrorPx, {}};
+        for (const ExploredNumber& number : kExploredNumbers)
+            if (const auto& value = numbers.*number.value) state["numbers"][number.key] = *value;
+        return state;
+    }
+
+    void drawViews(std::size_t pane, int frame) {
+        picture::Slot& slot = variants_[pane].front().slot;
+        for (const picture::StageRef& stage : panes_[pane].stages) {
+            const picture::ResolvedStage resolved = picture::resolve(stage, *slot.info, *state_.scene, state_.light);
+            const picture::Panel shown = panel(slot, resolved);
+            Json& view = place(views_, pane, stage.text());
+            view["caption"] = picture::captionOf(*slot.info, resolved.key.id);
+            view["at"].push_back({frame, add(shown), legendJson(shown), scaleJson(shown)});
+        }
+    }
+
+    void drawSteps(std::size_t pane, int frame) {
+        picture::Slot& slot = variants_[pane].front().slot;
+        const picture::RenderedFrame whole = session_.render(slot, view());
+        for (const StageKey& key : whole.result.passes) {
+            const PassInfo& pass = passInfo(slot.info->passes, key.id);
+            const picture::ResolvedStage stage = picture::shownInStep({key, true}, *slot.info, light_);
+            const picture::Panel shown = panel(slot, stage);
+            Json& step = place(steps_, pane, picture::refOf(key, true, *state_.scene).text());
+            const bool namesLight = key.light != kNoLight && state_.scene->lights.size() > 1;
+            step["title"] = std::string(pass.title) + (namesLight ? ", light " + state_.scene->light(key.light).name : "");
+            step["why"] = pass.why;
+            step["formula"] = pass.formula;
+            step["lines"] = {pass.pseudocodeLines.first, pass.pseudocodeLines.last};
+            step["note"] = shown.note;
+            step["at"].push_back({frame, add(shown), legendJson(shown), scaleJson(shown)});
+        }
+    }
+
+    /// The entry of that pane and id, in the order in which they were first drawn.
+    static Json& place(Json& all, std::size_t pane, const std::string& id) {
+        for (Json& one : all)
+            if (one["pane"] == pane && one["id"] == id) return one;
+        all.push_back({{"pane", pane}, {"id", id}, {"at", Json::array()}});
+        return all.back();
+    }
+
+    void ask() {
+        const std::vector<dvec2> points = askedPoints(request_.size.askPoints);
+        if (points.empty()) return;
+        Json places = Json::array(), answers = Json::array();
+        for (const dvec2& point : points)
+            places.push_back({point.x, point.y});
+        for (std::size_t pane = 0; pane < panes_.size(); ++pane)
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                View asked = view();
+                asked.picked = ivec2(points[i] * dvec2(asked.size));
+                const PicturePack::Piece piece =
+                    pack_.addPiece(answerOf(variants_[pane].front().slot, session_.snapshot(), asked, light_, font_, bold_));
+                answers.push_back({pane, 0, i, piece.offset, piece.length});
+            }
+        ask_ = {{"points", std::move(places)}, {"answers", std::move(answers)}};
+    }
+
+    /// Of a technique with its settings in this slide: measured now, unless it was measured before.
+    double frameMs(std::size_t pane, std::size_t variant) {
+        const picture::Slot& slot = variants_[pane][variant].slot;
+        std::string key = slide_.name + " " + std::string(slot.info->id);
+        for (const params::Param& param : slot.params)
+            if (params::isChanged(param)) key += " " + param.id + "=" + params::valueText(param);
+        key += " " + std::to_string(request_.size.picture.x) + "x" + std::to_string(request_.size.picture.y);
+        const auto [found, isNew] = times_.emplace(key, 0);
+        if (isNew) found->second = std::round(judge::median(variants_[pane][variant].frameMs) * 100) / 100; // no clock is finer here
+        return found->second;
+    }
+
+    Json panesJson() const {
+        Json panes = Json::array();
+        for (std::size_t i = 0; i < panes_.size(); ++i) {
+            const picture::Slot& slot = variants_[i].front().slot;
+            Json lines = Json::array();
+            for (const picture::StepLine& line : picture::stepSource(*slot.info, nullptr, slot.params, {}).pseudocode)
+                lines.push_back(line.text);
+            std::string settings;
+            for (const params::Param& param : slot.params)
+                if (params::isChanged(param)) settings += (settings.empty() ? "" : ", ") + params::labelOf(param) + " " + params::valueText(param);
+            panes.push_back({{"technique", slot.info->id}, {"title", slot.info->title}, {"settings", settings}, {"pseudocode", std::move(lines)}});
+        }
+        return panes;
+    }
+
+    Json statesJson() {
+        Json states = Json::array();
+        for (std::size_t pane = 0; pane < panes_.size(); ++pane)
+            for (std::size_t combination = 0; combination < combinations_.size(); ++combination) {
+                const auto own = static_cast<std::size_t>(places_[pane][combination]);
+                const double ms = request_.lampPositionsToDraw == 0 ? frameMs(pane, own) : 0;
+                for (Json state : variants_[pane][own].states) {
+                    state["pane"] = pane;
+                    state["variant"] = combination;
+                    state["numbers"]["frameMs"] = ms;
+                    states.push_back(std::move(state));
+                }
+            }
+        return states;
+    }
+
+    Json taskJson() const {
+        if (!explore_.task) return {};
+        const ExploreTask& task = *explore_.task;
+        return {{"question", drawing::plainProse(task.question)}, {"told", drawing::plainProse(task.told)}, {"pane", task.pane}, {"number", task.number},
+                {"atLeast", task.bound.atLeast ? Json(*task.bound.atLeast) : Json()},
+                {"atMost", task.bound.atMost ? Json(*task.bound.atMost) : Json()}};
+    }
+
+    std::string json() {
+        Json sheets = Json::array(), settings = Json::array();
+        for (const PicturePack::Sheet& sheet : pack_.sheets())
+            sheets.push_back({sheet.piece.offset, sheet.piece.length, sheet.firstTile, sheet.count, sheet.columns, "webp"});
+        for (const Knob& knob : knobs_)
+            settings.push_back({{"id", knob.setting.technique + "." + knob.setting.param}, {"label", knob.label},
+                                {"values", knob.values}, {"start", knob.start}});
+        const double aspect = static_cast<double>(request_.size.picture.x) / request_.size.picture.y;
+        const Json all{{"width", request_.size.picture.x}, {"height", request_.size.picture.y}, {"tile", kTileSide},
+                       {"sheets", std::move(sheets)}, {"maps", pack_.maps()}, {"panes", panesJson()},
+                       {"lamp", motion_.frames > 1 ? lampTrack(motion_, state_.scene, state_.camera, aspect, light_) : Json()},
+                       {"settings", std::move(settings)}, {"variants", combinations_}, {"states", statesJson()},
+                       {"machine", request_.machine}, {"views", views_}, {"steps", steps_}, {"ask", ask_}, {"task", taskJson()}};
+        return all.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+
+    static constexpr int kFramesAtRest = 5;
+
+    const Slide& slide_;
+    const Explore& explore_;
+    const ExploreRequest& request_;
+    const image::Font &font_, &bold_;
+    FrameTimes& times_;
+    const ShownState& state_; ///< of the slide's first picture
+    std::vector<ExploredPane> panes_;
+    film::Motion motion_;
+    int light_;
+    picture::Session session_;
+    picture::PictureEncoder encoder_;
+    std::vector<Knob> knobs_;
+    std::vector<std::vector<int>> combinations_; ///< of values, one for each knob
+    std::vector<std::vector<Variant>> variants_; ///< of each pane
+    std::vector<std::vector<int>> places_;       ///< of each pane: which of its variants a combination is
+    PicturePack pack_;
+    Json views_ = Json::array(), steps_ = Json::array(), ask_;
+};
+
+} // namespace
+
+ExploredSlide exploredSlide(const Slide& slide, const Explore& explore, const ExploreRequest& request, const image::Font& font,
+                            const image::Font& bold, FrameTimes& times) {
+    return Explorer(slide, explore, request, font, bold, times).draw();
+}
+
+int exploredStates(const Slide& slide, const Explore& explore, const ExploreSize& size) {
+    int states = 0;
+    for (const ExploredPane& pane : panesOf(slide, explore)) {
+        int variants = 1;
+        for (const ExploredSetting& setting : explore.settings)
+            if (setting.technique == pane.state.technique) variants += static_cast<int>(setting.values.size()) - 1;
+        states += variants;
+    }
+    return states * (slide.pictures.front().state.scene->lights.empty() ? 1 : size.lampPositions);
+}
+
+} // namespace shadowlab::course
