@@ -1,0 +1,84 @@
+// Parts of which every control of the lab is made: elements, groups of choices, dragging, and numbers as words.
+// SPDX-License-Identifier: MIT
+(explore => {
+  'use strict';
+
+  const PROPERTIES = ['className', 'textContent', 'hidden', 'disabled', 'checked', 'value', 'tabIndex'];
+  const OF_SVG = ['svg', 'polygon', 'polyline', 'circle', 'text', 'g', 'title'];
+
+  /// An element. Of its properties, "on..." are listeners; those that are null are left out.
+  explore.element = (name, properties = {}, ...children) => {
+    const made = OF_SVG.includes(name) ? document.createElementNS('http://www.w3.org/2000/svg', name) : document.createElement(name);
+    for (const [key, value] of Object.entries(properties)) {
+      if (value === null || value === undefined) continue;
+      if (key.startsWith('on')) made.addEventListener(key.slice(2), value);
+      else if (PROPERTIES.includes(key)) made[key] = value;
+      else made.setAttribute(key, value);
+    }
+    made.append(...children);
+    return made;
+  };
+
+  const element = explore.element;
+
+  /// A group with a heading. Its name is read out with what is in it.
+  explore.group = (className, heading, ...children) =>
+    element('div', { className: 'group ' + className, role: 'group', 'aria-label': heading }, element('h3', { textContent: heading }), ...children);
+
+  explore.button = (label, press, properties = {}) => element('button', { type: 'button', onclick: press, ...properties }, label);
+
+  /// Radio buttons that look like keys. `options` are {value, label, disabled}; `choose` is called with the value.
+  explore.radios = (heading, name, options, choose) => {
+    const inputs = options.map(option => element('input', { type: 'radio', name, value: option.value, disabled: Boolean(option.disabled),
+      onchange: () => choose(option.value) }));
+    const keys = options.map((option, i) => element('label', {}, inputs[i], element('span', { textContent: option.label })));
+    return { element: element('fieldset', { className: 'choices' }, element('legend', { textContent: heading }),
+      element('div', { className: 'keys' }, ...keys)),
+      set: value => inputs.forEach(input => { input.checked = input.value === String(value) }) };
+  };
+
+  explore.select = (heading, options, choose) => {
+    const list = element('select', { onchange: () => choose(list.value) }, ...options.map(option =>
+      element('option', { value: option.value, disabled: Boolean(option.disabled), textContent: option.label })));
+    return { element: element('label', { className: 'choices' }, element('span', { textContent: heading }), list),
+      set: value => { list.value = String(value) } };
+  };
+
+  /// Calls `move(event)` while a pointer that went down on `target` is held, and `rest()` when it is let go.
+  explore.draggable = (target, move, rest = () => {}) => {
+    let held = null;
+    target.addEventListener('pointerdown', event => {
+      if (event.button !== 0 || held !== null) return;
+      held = event.pointerId;
+      target.setPointerCapture(held);
+      move(event, true);
+    });
+    target.addEventListener('pointermove', event => { if (event.pointerId === held) move(event, false) });
+    const end = event => { if (event.pointerId === held) { held = null; rest() } };
+    target.addEventListener('pointerup', end);
+    target.addEventListener('pointercancel', end);
+  };
+
+  /// Where an event is in a box: shares of its width and height, from the upper left corner.
+  explore.shareOf = (event, box) => {
+    const at = box.getBoundingClientRect();
+    return [(event.clientX - at.left) / at.width, (event.clientY - at.top) / at.height];
+  };
+
+  explore.clamped = (value, least, most) => Math.min(most, Math.max(least, value));
+
+  /// The numbers of a state in the order in which they are shown. Whole numbers have commas; others as many digits as they need.
+  explore.NUMBERS = [
+    { id: 'coreErrors', label: 'Wrong pixels', unit: '' },
+    { id: 'falseLit', label: 'false lit', unit: '', part: true },
+    { id: 'falseShadow', label: 'false shadow', unit: '', part: true },
+    { id: 'compared', label: 'compared', unit: '', part: true },
+    { id: 'edgeErrorPx', label: 'Edge error', unit: ' px' },
+    { id: 'frameMs', label: 'Frame time', unit: ' ms' },
+  ];
+  explore.numberWords = (value, unit = '') => {
+    if (value === null || value === undefined) return 'not known';
+    const digits = Number.isInteger(value) || Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : 2;
+    return value.toLocaleString('en', { maximumFractionDigits: digits }) + unit;
+  };
+})(self.ShadowlabExplore = self.ShadowlabExplore || {});
