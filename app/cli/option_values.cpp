@@ -111,6 +111,15 @@ double secondsFrom(const std::string& option, const std::string& text) {
     return seconds;
 }
 
+std::size_t megabytesFrom(const std::string& option, const std::string& text) {
+    constexpr double kLeast = 0.1, kMost = 500; // larger pages are opened by no browser of a phone
+    double megabytes = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), megabytes);
+    if (error != std::errc{} || end != text.data() + text.size() || !(megabytes >= kLeast && megabytes <= kMost))
+        refuseUsage(option + ": '" + text + "' is no size of a page; write megabytes from 0.1 to 500, as 20");
+    return static_cast<std::size_t>(megabytes * 1e6);
+}
+
 int countFrom(const std::string& option, const std::string& text, int most) {
     int value = 0;
     if (!readWhole(text, value) || value < 1 || value > most)

@@ -2,6 +2,7 @@
 // what it takes.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -30,6 +31,8 @@ bool booleanFrom(const std::string& option, const std::string& text);
 double degreesFrom(const std::string& option, const std::string& text);
 /// A time that a picture can stay, in seconds: from 0.01 to 60.
 double secondsFrom(const std::string& option, const std::string& text);
+/// A size in megabytes, 10^6 bytes, from 0.1 to 500; in bytes.
+std::size_t megabytesFrom(const std::string& option, const std::string& text);
 /// A whole number from 1 to `most`.
 int countFrom(const std::string& option, const std::string& text, int most);
 /// A seed that random choices follow from is a count up to this: a round number that an int holds.

@@ -67,10 +67,7 @@ SlidesOptions slidesOptions(const GivenOptions& given) {
     constexpr int kLeastHeight = 360;                 // below, type dissolves
     constexpr double kNarrowest = 1.2, kWidest = 2.5; // shapes that slides are laid out for
     options.explores = given.has("--explore") || given.has("--explore-budget");
-    constexpr int kLargestPage = 500; // megabytes: larger pages are opened by no browser of a phone
-    constexpr std::size_t kMegabyte = 1000000;
-    options.exploreBytes =
-        kMegabyte * static_cast<std::size_t>(countFrom("--explore-budget", given.text("--explore-budget", "20"), kLargestPage));
+    options.exploreBytes = megabytesFrom("--explore-budget", given.text("--explore-budget", "20"));
     const double aspect = static_cast<double>(options.look.size.x) / options.look.size.y;
     if (options.look.size.y < kLeastHeight || aspect < kNarrowest || aspect > kWidest)
         refuseUsage(

@@ -19,7 +19,7 @@ struct Share {
     double asked; ///< of the pixels
 };
 // A smaller picture is worse to look at than a lamp that moves in larger steps, until its steps are 15 degrees and more.
-constexpr std::array kShares{Share{1, 640, 1},       Share{1, 512, 1},       Share{2.0 / 3, 512, 1}, Share{1.0 / 2, 512, 1},
+constexpr std::array kShares{Share{1, 768, 1},       Share{1, 640, 1},         Share{1, 512, 1},       Share{2.0 / 3, 512, 1}, Share{1.0 / 2, 512, 1},
                              Share{1.0 / 2, 384, 0.5}, Share{1.0 / 3, 384, 0.5}, Share{1.0 / 4, 320, 0.25}, Share{1.0 / 8, 320, 0.25}};
 constexpr int kLeastPositions = 4, kPositionsWithSteps = 4, kTrialPositions = 3;
 
@@ -62,10 +62,13 @@ FittedSlide fittedSlide(const Slide& slide, const Explore& explore, ExploreReque
                         const image::Font& bold, FrameTimes& times) {
     const ExploreSize asked = askedSize(explore);
     request.size = asked;
-    ExploreRequest trial = request;
-    trial.lampPositionsToDraw = kTrialPositions;
-    trial.onState = {};
-    const auto trialBytes = static_cast<double>(pageBytes(exploredSlide(slide, explore, trial, font, bold, times)));
+    double trialBytes = 0; // where a trial would be most of the work, the first try is one
+    if (asked.lampPositions > 2 * kTrialPositions) {
+        ExploreRequest trial = request;
+        trial.lampPositionsToDraw = kTrialPositions;
+        trial.onState = {};
+        trialBytes = static_cast<double>(pageBytes(exploredSlide(slide, explore, trial, font, bold, times)));
+    }
     std::size_t least = 0;
     for (const Share& share : kShares) {
         request.size = sizeOf(explore, share);

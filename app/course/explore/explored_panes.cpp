@@ -47,7 +47,7 @@ std::vector<ExploredPane> panesOf(const Slide& slide, const Explore& explore) {
             try {
                 (void)picture::resolve(stage, findTechnique(pane.state.technique), *first.state.scene, first.state.light);
             } catch (const Error& error) {
-                why = error.what();
+                if (why.empty()) why = error.what();
                 continue;
             }
             isFound = true;

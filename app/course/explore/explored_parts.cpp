@@ -51,7 +51,7 @@ Json scaleJson(const picture::Panel& panel) {
     Json colors = Json::array();
     for (const vec3& color : palette)
         colors.push_back(drawing::colorText(color));
-    return {{"from", picture::shortNumber(panel.display.minimum) + unit},
+    return {{"from", picture::shortNumber(panel.display.minimum)},
             {"to", picture::shortNumber(panel.display.maximum) + unit},
             {"colors", std::move(colors)}};
 }

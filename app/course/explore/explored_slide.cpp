@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -150,7 +152,7 @@ private:
         return frame % every == 0;
     }
 
-    picture::Panel panel(picture::Slot& slot, const picture::ResolvedStage& stage) {
+    picture::Panel panel(picture::Slot& slot, const picture::ResolvedStage& stage, const std::optional<dvec2>& range = {}) {
         picture::Cell cell{0, 0, request_.size.picture.x, request_.size.picture.y, request_.size.picture, 0};
         picture::PanelRequest request;
         request.stage = stage;
@@ -162,6 +164,7 @@ private:
         if (first.partner) request.partner = lab::pixelAt(*first.partner, samples);
         request.font = &font_;
         request.liftsSteps = true;
+        request.range = range;
         request.markWidth = picture::wideMark(request_.size.picture.y);
         picture::Panel panel = picture::renderPanel(session_, slot, encoder_, cell, request).panel;
         panel.picture = centred(panel.picture, request_.size.picture);
@@ -190,8 +193,8 @@ private:
         const picture::Panel truth = picture::truthPanel(judged.truth, {});
         state["verdict"] = pack_.add(verdicts.picture, image::WebpKind::exact);
         state["truth"] = pack_.add(truth.picture, image::WebpKind::exact);
-        state["verdictLegend"] = legendJson(verdicts);
-        state["truthLegend"] = legendJson(truth);
+        keepLonger(verdictColors_, legendJson(verdicts));
+        keepLonger(truthColors_, legendJson(truth));
         const ExploredNumbers numbers{judged.found.core, counts.falseLit, counts.falseShadow,
                                       counts.lit + counts.shadowed + counts.turnedAway, judged.found.errors.edgeErrorPx, {}};
         for (const ExploredNumber& number : kExploredNumbers)
@@ -199,14 +202,24 @@ private:
         return state;
     }
 
+    /// Colours without the counts of one state. What seldom occurs, a surface where there is none, is named only where it does.
+    static void keepLonger(Json& kept, Json legend) {
+        for (Json& entry : legend) {
+            const std::string label = entry[1];
+            entry[1] = label.substr(0, label.rfind(": "));
+        }
+        if (legend.size() > kept.size()) kept = std::move(legend);
+    }
+
     void drawViews(std::size_t pane, int frame) {
         picture::Slot& slot = variants_[pane].front().slot;
         for (const picture::StageRef& stage : panes_[pane].stages) {
             const picture::ResolvedStage resolved = picture::resolve(stage, *slot.info, *state_.scene, state_.light);
-            const picture::Panel shown = panel(slot, resolved);
             Json& view = place(views_, pane, stage.text());
-            view["caption"] = picture::captionOf(*slot.info, resolved.key.id);
-            view["at"].push_back({frame, add(shown), legendJson(shown), scaleJson(shown)});
+            const std::string caption = picture::captionOf(*slot.info, resolved.key.id);
+            view["label"] = caption.substr(0, caption.find_first_of(",;:(")); // the words before any explanation
+            view["caption"] = caption;
+            addAt(view, frame, slot, resolved);
         }
     }
 
@@ -215,17 +228,38 @@ private:
         const picture::RenderedFrame whole = session_.render(slot, view());
         for (const StageKey& key : whole.result.passes) {
             const PassInfo& pass = passInfo(slot.info->passes, key.id);
-            const picture::ResolvedStage stage = picture::shownInStep({key, true}, *slot.info, light_);
-            const picture::Panel shown = panel(slot, stage);
             Json& step = place(steps_, pane, picture::refOf(key, true, *state_.scene).text());
             const bool namesLight = key.light != kNoLight && state_.scene->lights.size() > 1;
             step["title"] = std::string(pass.title) + (namesLight ? ", light " + state_.scene->light(key.light).name : "");
             step["why"] = pass.why;
-            step["formula"] = pass.formula;
-            step["lines"] = {pass.pseudocodeLines.first, pass.pseudocodeLines.last};
-            step["note"] = shown.note;
-            step["at"].push_back({frame, add(shown), legendJson(shown), scaleJson(shown)});
+            step["formula"] = linesOf(pass.formula);
+            step["lines"] = Json::array();
+            for (int line = std::max(1, pass.pseudocodeLines.first); line <= pass.pseudocodeLines.last; ++line)
+                step["lines"].push_back(line);
+            addAt(step, frame, slot, picture::shownInStep({key, true}, *slot.info, light_));
         }
+    }
+
+    /// What the stage shows with the lamp there. Colours that stand for numbers keep the range of the first position: a colour means one
+    /// value however the lamp moves.
+    void addAt(Json& shownAt, int frame, picture::Slot& slot, const picture::ResolvedStage& stage) {
+        const std::string key = std::string(slot.info->id) + " " + stage.key.id + " " + std::to_string(stage.key.light);
+        const auto range = ranges_.find(key);
+        const picture::Panel shown = panel(slot, stage, range == ranges_.end() ? std::nullopt : std::optional(range->second));
+        ranges_.try_emplace(key, shown.display.minimum, shown.display.maximum);
+        if (!shownAt.contains("legend")) {
+            shownAt["legend"] = legendJson(shown);
+            shownAt["scale"] = scaleJson(shown);
+            shownAt["note"] = shown.note;
+        }
+        shownAt["at"].push_back({frame, add(shown)});
+    }
+    static Json linesOf(std::string_view text) {
+        Json lines = Json::array();
+        std::istringstream stream{std::string(text)};
+        for (std::string line; std::getline(stream, line);)
+            lines.push_back(line);
+        return lines;
     }
 
     /// The entry of that pane and id, in the order in which they were first drawn.
@@ -316,7 +350,7 @@ private:
                        {"sheets", std::move(sheets)}, {"maps", pack_.maps()}, {"panes", panesJson()},
                        {"lamp", motion_.frames > 1 ? lampTrack(motion_, state_.scene, state_.camera, aspect, light_) : Json()},
                        {"settings", std::move(settings)}, {"variants", combinations_}, {"states", statesJson()},
-                       {"machine", request_.machine}, {"views", views_}, {"steps", steps_}, {"ask", ask_}, {"task", taskJson()}};
+                       {"machine", request_.machine}, {"verdictColors", verdictColors_}, {"truthColors", truthColors_}, {"views", views_}, {"steps", steps_}, {"ask", ask_}, {"task", taskJson()}};
         return all.dump(-1, ' ', false, Json::error_handler_t::replace);
     }
 
@@ -338,7 +372,8 @@ private:
     std::vector<std::vector<Variant>> variants_; ///< of each pane
     std::vector<std::vector<int>> places_;       ///< of each pane: which of its variants a combination is
     PicturePack pack_;
-    Json views_ = Json::array(), steps_ = Json::array(), ask_;
+    Json verdictColors_ = Json::array(), truthColors_ = Json::array(), views_ = Json::array(), steps_ = Json::array(), ask_;
+    std::map<std::string, dvec2> ranges_; ///< of stages whose colours stand for numbers
 };
 
 } // namespace

@@ -26,7 +26,7 @@ std::vector<ExploredPane> panesOf(const Slide& slide, const Explore& explore);
 
 /// How much of what a slide asks for is computed.
 struct ExploreSize {
-    ivec2 picture{640, 360};
+    ivec2 picture{768, 432};
     int lampPositions = 24;
     int positionsWithSteps = 4; ///< at how many of them stages and steps can be looked at
     int askPoints = 24;
