@@ -38,7 +38,7 @@ IMAGES = DOCS / "images"
 PAGES = {
     "To use it": ["packages", "window", "measuring", "judge", "report", "performance", "pixel", "outside", "export", "source", "sequences", "errors",
                   "shadow-map-filters"],
-    "To teach with it": ["teaching", "lecture", "exercises", "grading", "decks", "lessons", "hard-cases"],
+    "To teach with it": ["teaching", "lecture", "exercises", "grading", "decks", "explore", "lessons", "hard-cases"],
     "To build on": ["tour", "conventions", "scene_format", "gltf", "adding_a_technique", "plugins", "relations", "systems"],
 }
 LARGEST_PICTURE = 150_000  # bytes: a clone stays small, a page loads at once

@@ -21,7 +21,7 @@ struct Share {
 // A smaller picture is worse to look at than a lamp that moves in larger steps, until its steps are 15 degrees and more.
 constexpr std::array kShares{Share{1, 768, 1},       Share{1, 640, 1},         Share{1, 512, 1},       Share{2.0 / 3, 512, 1}, Share{1.0 / 2, 512, 1},
                              Share{1.0 / 2, 384, 0.5}, Share{1.0 / 3, 384, 0.5}, Share{1.0 / 4, 320, 0.25}, Share{1.0 / 8, 320, 0.25}};
-constexpr int kLeastPositions = 4, kPositionsWithSteps = 4, kTrialPositions = 3;
+constexpr int kLeastPositions = 4, kPositionsWithSteps = 6, kAskPositions = 3, kTrialPositions = 3;
 
 ExploreSize sizeOf(const Explore& explore, const Share& share) {
     ExploreSize size;
@@ -29,6 +29,7 @@ ExploreSize sizeOf(const Explore& explore, const Share& share) {
     const int least = std::min(kLeastPositions, explore.lampPositions);
     size.lampPositions = std::max(least, static_cast<int>(std::lround(explore.lampPositions * share.lamp)));
     size.positionsWithSteps = kPositionsWithSteps;
+    size.askPositions = share.asked < 1 ? 1 : kAskPositions;
     size.askPoints = static_cast<int>(std::lround(explore.askPoints * share.asked));
     return size;
 }

@@ -77,12 +77,12 @@ public:
                     variant.states.push_back(drawState(variant, frame));
                     if (request_.onState) request_.onState();
                 }
-            if (isPartial(frame))
+            if (isOneOf(request_.size.positionsWithSteps, frame))
                 for (std::size_t pane = 0; pane < panes_.size(); ++pane) {
                     drawViews(pane, frame);
                     if (explore_.steps) drawSteps(pane, frame);
                 }
-            if (lamp == 0 && request_.lampPositionsToDraw == 0) ask();
+            if (isOneOf(request_.size.askPositions, frame) && request_.lampPositionsToDraw == 0) ask(frame);
         }
         return {json(), pack_.bytes()};
     }
@@ -146,10 +146,10 @@ private:
         return view;
     }
 
-    /// At some positions of the lamp stages and steps can be looked at, the first among them.
-    [[nodiscard]] bool isPartial(int frame) const {
-        const int every = std::max(1, motion_.frames / std::max(1, request_.size.positionsWithSteps));
-        return frame % every == 0;
+    /// Of all positions of the lamp some, evenly spread, the first among them.
+    [[nodiscard]] bool isOneOf(int positions, int frame) const {
+        const int every = (motion_.frames + positions - 1) / std::max(1, positions);
+        return positions > 0 && frame % every == 0;
     }
 
     picture::Panel panel(picture::Slot& slot, const picture::ResolvedStage& stage, const std::optional<dvec2>& range = {}) {
@@ -270,21 +270,22 @@ private:
         return all.back();
     }
 
-    void ask() {
+    void ask(int frame) {
         const std::vector<dvec2> points = askedPoints(request_.size.askPoints);
         if (points.empty()) return;
-        Json places = Json::array(), answers = Json::array();
-        for (const dvec2& point : points)
-            places.push_back({point.x, point.y});
+        if (ask_.is_null()) {
+            ask_ = {{"points", Json::array()}, {"answers", Json::array()}};
+            for (const dvec2& point : points)
+                ask_["points"].push_back({point.x, point.y});
+        }
         for (std::size_t pane = 0; pane < panes_.size(); ++pane)
             for (std::size_t i = 0; i < points.size(); ++i) {
                 View asked = view();
                 asked.picked = ivec2(points[i] * dvec2(asked.size));
                 const PicturePack::Piece piece =
                     pack_.addPiece(answerOf(variants_[pane].front().slot, session_.snapshot(), asked, light_, font_, bold_));
-                answers.push_back({pane, 0, i, piece.offset, piece.length});
+                ask_["answers"].push_back({pane, frame, i, piece.offset, piece.length});
             }
-        ask_ = {{"points", std::move(places)}, {"answers", std::move(answers)}};
     }
 
     /// Of a technique with its settings in this slide: measured now, unless it was measured before.

@@ -30,6 +30,7 @@ struct ExploreSize {
     int lampPositions = 24;
     int positionsWithSteps = 4; ///< at how many of them stages and steps can be looked at
     int askPoints = 24;
+    int askPositions = 3; ///< at how many of them pixels can be asked
     friend bool operator==(const ExploreSize&, const ExploreSize&) = default;
 };
 
