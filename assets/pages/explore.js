@@ -18,6 +18,7 @@
       this.states = new Map(this.data.states.map(state => [state.pane + '/' + state.variant + '/' + state.lamp, state]));
       this.now = { view: 'picture', lamp: this.data.lamp ? this.data.lamp.start : 0, variant: 0, step: null, asking: false };
       this.notes = [];
+      for (const pane of this.data.panes.keys()) this.pack.picture(this.stateOf(pane).picture).catch(() => {}); // decoded while the rest is built
       this.build();
       this.change({});
       this.built = true;
@@ -55,6 +56,7 @@
         column.append(this.task.element);
       }
       column.append(element('p', { className: 'note keys-note', textContent: 'In here the arrow keys belong to what is chosen. Esc gives them back to the slides.' }));
+      root.style.setProperty('--aspect', data.width / data.height);
       root.replaceChildren(this.turners(), element('div', { className: 'left' }, this.stage.element, this.views.foot, this.views.element), column, this.status);
       this.listen();
     }

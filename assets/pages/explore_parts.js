@@ -33,7 +33,7 @@
       onchange: () => choose(option.value) }));
     const keys = options.map((option, i) => element('label', {}, inputs[i], element('span', { textContent: option.label })));
     return { element: element('fieldset', { className: 'choices' }, element('legend', { textContent: heading }),
-      element('div', { className: 'keys' }, ...keys)),
+      element('div', { className: 'options' }, ...keys)),
       set: value => inputs.forEach(input => { input.checked = input.value === String(value) }) };
   };
 

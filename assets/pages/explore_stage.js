@@ -17,7 +17,7 @@
       this.canvas = element('canvas', { width: data.width, height: data.height, role: 'img' });
       this.names = [0, 1].map(() => element('span'));
       this.picture = element('div', { className: 'picture' }, this.canvas);
-      this.element = element('div', { className: 'stage', style: '--aspect: ' + data.width / data.height },
+      this.element = element('div', { className: 'stage' },
         element('div', { className: 'frame' }, element('div', { className: 'names' }, ...this.names), this.picture));
       if (data.panes.length === 2) this.addSplit();
     }
@@ -56,7 +56,7 @@
     }
 
     /// Which pane is seen at a share of the width.
-    paneAt(x) { return this.sides.length === 2 && x >= this.split ? 1 : this.sides[0].pane }
+    paneAt(x) { return this.sides.length === 2 && x >= this.split ? 1 : this.sides.length ? this.sides[0].pane : 0 }
 
     /// `sides`, one or two: {pane, picture, over, lifted}. `over` is a layer above, or null; a lifted picture is bright and without colours.
     show(sides, names, said) {
