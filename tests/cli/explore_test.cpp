@@ -269,15 +269,15 @@ TEST_F(ExploreTest, WithoutTheOptionSlidesArePictures) {
 }
 
 TEST_F(ExploreTest, ABudgetIsKeptAndSaysWhatItChose) {
-    folder.write("deck.json", deck(R"({"lamp": 40, "ask": 40})"));
-    const testing::ProgramResult result = slides({"--explore-budget", "0.4"});
+    folder.write("deck.json", deck(R"({"lamp": 16, "ask": 40})"));
+    const testing::ProgramResult result = slides({"--explore-budget", "0.25"});
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_NE(result.err.find("slide 'box': "), std::string::npos) << result.err;
-    EXPECT_NE(result.err.find(" of 40 positions of the lamp"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find(" of 16 positions of the lamp"), std::string::npos) << result.err;
     const ExploredPage page(out("deck.html"), "box");
-    EXPECT_LE(page.pack.size() + page.data.dump().size(), 400000u);
+    EXPECT_LE(page.pack.size() + page.data.dump().size(), 250000u);
     EXPECT_GE(page.data["lamp"]["positions"].size(), 4u);
-    EXPECT_LT(page.data["lamp"]["positions"].size(), 40u);
+    EXPECT_LT(page.data["lamp"]["positions"].size(), 16u);
 }
 
 struct BadExplore {
