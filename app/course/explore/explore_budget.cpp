@@ -45,12 +45,18 @@ std::string differenceText(const ExploreSize& asked, const ExploreSize& chosen) 
     return text;
 }
 
-/// What the trial's bytes become with all positions, in pictures of another size. Bytes grow a little slower than pixels.
-double estimatedBytes(double trialBytes, const ExploreSize& trial, const ExploreSize& size) {
+/// What is known of the slide's bytes: those of so many positions of the lamp in pictures of that size.
+struct Known {
+    double bytes = 0;
+    ivec2 picture{1};
+    int positions = 1;
+};
+
+/// What they become with other numbers of both. Bytes grow a little slower than pixels.
+double estimatedBytes(const Known& known, const ExploreSize& size) {
     constexpr double kGrowth = 0.85;
-    const double pixels = static_cast<double>(size.picture.x) / trial.picture.x;
-    const int drawn = std::min(kTrialPositions, trial.lampPositions);
-    return trialBytes * std::pow(pixels * pixels, kGrowth) * size.lampPositions / drawn;
+    const double side = static_cast<double>(size.picture.x) / known.picture.x;
+    return known.bytes * std::pow(side * side, kGrowth) * size.lampPositions / known.positions;
 }
 
 } // namespace
@@ -63,24 +69,24 @@ FittedSlide fittedSlide(const Slide& slide, const Explore& explore, ExploreReque
                         const image::Font& bold, FrameTimes& times) {
     const ExploreSize asked = askedSize(explore);
     request.size = asked;
-    double trialBytes = 0; // where a trial would be most of the work, the first try is one
-    if (asked.lampPositions > 2 * kTrialPositions) {
+    Known known;
+    if (asked.lampPositions > 2 * kTrialPositions) { // where a trial would be most of the work, the first try is one
         ExploreRequest trial = request;
         trial.lampPositionsToDraw = kTrialPositions;
         trial.onState = {};
-        trialBytes = static_cast<double>(pageBytes(exploredSlide(slide, explore, trial, font, bold, times)));
+        known = {static_cast<double>(pageBytes(exploredSlide(slide, explore, trial, font, bold, times))), asked.picture, kTrialPositions};
     }
-    std::size_t least = 0;
     for (const Share& share : kShares) {
         request.size = sizeOf(explore, share);
         const bool isLast = &share == &kShares.back();
-        if (!isLast && estimatedBytes(trialBytes, asked, request.size) > static_cast<double>(mostBytes)) continue;
+        if (!isLast && estimatedBytes(known, request.size) > static_cast<double>(mostBytes)) continue;
         ExploredSlide explored = exploredSlide(slide, explore, request, font, bold, times);
-        least = pageBytes(explored);
-        if (least <= mostBytes) return {std::move(explored), request.size, differenceText(asked, request.size)};
+        const std::size_t bytes = pageBytes(explored);
+        if (bytes <= mostBytes) return {std::move(explored), request.size, differenceText(asked, request.size)};
+        known = {static_cast<double>(bytes), request.size.picture, request.size.lampPositions};
     }
     constexpr std::size_t kMegabyte = 1000000;
-    throw Error(ExitStatus::overLimit, "needs " + std::to_string(least / kMegabyte + 1) + " MB of the page even with " +
+    throw Error(ExitStatus::overLimit, "needs " + std::to_string(static_cast<std::size_t>(known.bytes) / kMegabyte + 1) + " MB of the page even with " +
                                            std::to_string(request.size.lampPositions) +
                                            " positions of the lamp; give a larger --explore-budget, or explore fewer slides");
 }
