@@ -108,7 +108,8 @@ std::string sectionCaption(ivec2 pixel, const foreign::JudgedPicture& judged) {
            " in the picture; the section shows how a technique of this program finds it " + (isLit ? "in shadow" : "lit");
 }
 
-/// The lecture's figure at that pixel, of the technique that shows the cause. Throws Error where there is nothing to draw.
+/// The lecture's figure at that pixel, of the technique that shows the cause, and the caption below it. Throws Error where there is
+/// nothing to draw.
 std::string sectionAt(ivec2 pixel, const scene::Snapshot& named, int light, const foreign::JudgedPicture& judged) {
     const scene::Snapshot scene = withoutFormulas(named);
     const std::string_view technique = foreign::techniqueShowing(judged.diagnosis.causes.empty() ? "" : judged.diagnosis.causes.front().id);
@@ -120,7 +121,13 @@ std::string sectionAt(ivec2 pixel, const scene::Snapshot& named, int light, cons
     const Probe probe = slot.technique->probe(scene, view, pixel, light);
     const std::filesystem::path fonts = context::assetsRoot() / "fonts";
     const image::Font font(fonts / "DejaVuSans.ttf"), bold(fonts / "DejaVuSans-Bold.ttf");
-    return figures::findFigure("pixel").draw({probe, technique, *scene, view, light, font, bold}).document();
+    figures::Diagram figure = figures::findFigure("pixel").draw({probe, technique, *scene, view, light, font, bold});
+    constexpr double kType = 26, kMargin = 24; // pixels of the sheet: as large as the figure's own words
+    for (const std::string& line : font.wrap(sectionCaption(pixel, judged), kType, static_cast<int>(figure.drawing.size().x - 2 * kMargin))) {
+        figure.drawing.addRoomBelow(1.4 * kType);
+        figure.drawing.text({kMargin, figure.drawing.size().y - 0.6 * kType}, line, {.size = kType, .color = "#1a1a1a", .hasRim = false});
+    }
+    return figure.document();
 }
 
 void writeFindings(const JudgeOptions& options, const image::Image& picture, const scene::Snapshot& scene, int light, JudgeReport& report) {

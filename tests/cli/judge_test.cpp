@@ -85,7 +85,11 @@ TEST_F(JudgeCommandTest, WritesThePictureOfErrorsAndTheSection) {
     const PngHeader errors = headerOf(fileContent(folder.path() / "found/errors.png")), visibility = headerOf(fileContent(folder.path() / "found/visibility.png"));
     EXPECT_EQ(errors.width, 160u);
     EXPECT_EQ(visibility.colorType, 4);
-    EXPECT_NE(fileContent(folder.path() / "found/section.svg").find("<svg"), std::string::npos);
+    const std::string section = fileContent(folder.path() / "found/section.svg");
+    EXPECT_NE(section.find("<svg"), std::string::npos);
+    EXPECT_NE(section.find(" is dark in the picture; the section shows"), std::string::npos) << "the figure says whose it is";
+    const ProgramResult json = run({"judge", "acne.png", "box.json", "--light", "key", "-o", "found", "--json"});
+    EXPECT_NE(json.out.find("\"section\": \"pixel "), std::string::npos) << json.out;
 }
 
 TEST_F(JudgeCommandTest, AWrongCalibrationIsSaidAndNothingIsJudged) {

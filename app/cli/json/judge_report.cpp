@@ -157,6 +157,7 @@ std::string judgeJson(const JudgeReport& report) {
         root["causes"] = diagnosisJson(*report.judged);
     }
     root["files"] = {{"errors", textJson(report.errorPicture)}, {"visibility", textJson(report.visibilityPicture)}, {"section", textJson(report.section)}};
+    root["section"] = textJson(report.sectionCaption);
     return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
