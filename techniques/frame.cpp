@@ -121,14 +121,27 @@ void Frame::publishTarget(std::string_view stage, int light) { publish(stage, li
 void Frame::drawStage(std::string_view stage, int light, GLenum format, const std::function<void()>& draw,
                       Display display) {
     gl::Texture2D texture(format, target_.size(), stage);
-    drawInto(texture, stage, true, draw);
+    drawInto(texture, target_.depthStencil, stage, true, draw);
     publish(stage, light, std::move(texture), std::move(display));
+}
+
+void Frame::drawStageOnCopy(std::string_view stage, int light, GLenum format, const std::function<void()>& draw) {
+    const ivec2 size = target_.size();
+    const gl::Texture2D depthStencil(target_.depthStencil.internalFormat(), size, stage);
+    const gl::Framebuffer copy(nullptr, &depthStencil, stage);
+    gl::setBaselineState(); // a scissor would cut the copy
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.withoutColor.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, copy.id());
+    glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+    gl::Texture2D texture(format, size, stage);
+    drawInto(texture, depthStencil, stage, true, draw);
+    publish(stage, light, std::move(texture));
 }
 
 void Frame::drawOverTarget(std::string_view stage, int light, bool greyed, const std::function<void()>& draw,
                            Display display) {
     gl::Texture2D texture = greyed ? greyedTarget(stage) : copyOfTarget(stage);
-    drawInto(texture, stage, false, draw);
+    drawInto(texture, target_.depthStencil, stage, false, draw);
     publish(stage, light, std::move(texture), std::move(display));
 }
 
@@ -156,9 +169,9 @@ gl::Texture2D Frame::greyedTarget(std::string_view name) const {
     return grey;
 }
 
-void Frame::drawInto(gl::Texture2D& texture, std::string_view stage, bool clear,
+void Frame::drawInto(gl::Texture2D& texture, const gl::Texture2D& depthStencil, std::string_view stage, bool clear,
                      const std::function<void()>& draw) const {
-    const gl::Framebuffer framebuffer(&texture, &target_.depthStencil, stage);
+    const gl::Framebuffer framebuffer(&texture, &depthStencil, stage);
     const gl::DebugGroup group(stage);
     gl::setBaselineState();
     framebuffer.bind();

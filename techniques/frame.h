@@ -118,7 +118,9 @@ public:
     /// it.
     void drawStage(std::string_view stage, int light, GLenum format, const std::function<void()>& draw,
                    Display display = {});
-    /// The same, starting from what the target's colour holds now; `greyed` without its colours, as a ground for
+    /// drawStage with a copy of the target's depth and stencil, for what marks pixels while it is drawn: the target's stay as they are.
+    void drawStageOnCopy(std::string_view stage, int light, GLenum format, const std::function<void()>& draw);
+    /// The same as drawStage, starting from what the target's colour holds now; `greyed` without its colours, as a ground for
     /// coloured lines and faces.
     void drawOverTarget(std::string_view stage, int light, bool greyed, const std::function<void()>& draw,
                         Display display = {});
@@ -142,7 +144,8 @@ private:
     void makeFinished(gl::Texture2D& picture) const;
     gl::Texture2D copyOfTarget(std::string_view name) const;
     gl::Texture2D greyedTarget(std::string_view name) const;
-    void drawInto(gl::Texture2D& texture, std::string_view stage, bool clear, const std::function<void()>& draw) const;
+    void drawInto(gl::Texture2D& texture, const gl::Texture2D& depthStencil, std::string_view stage, bool clear,
+                  const std::function<void()>& draw) const;
 
     scene::Snapshot snapshot_;
     const View& view_;

@@ -1,22 +1,47 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/widget_renderer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/debug.h"
 
 namespace shadowlab::window {
 
+namespace {
+
+// Marks around an opaque picture in a draw list, which WidgetRenderer::draw knows by their addresses.
+void beginOpaque(const ImDrawList*, const ImDrawCmd*) { glDisable(GL_BLEND); }
+void endOpaque(const ImDrawList*, const ImDrawCmd*) { glEnable(GL_BLEND); }
+
+/// Where a picture stands that addOpaqueImage has put into a list, in pixels from the upper left corner, if its texels lie on
+/// pixels one to one.
+std::optional<Area> placeOfTexels(const ImDrawList& list, const ImDrawCmd& command, ivec2 texels) {
+    const auto cornerOf = [&](unsigned int index) {
+        const ImDrawIdx vertex = list.IdxBuffer[static_cast<int>(command.IdxOffset + index)];
+        return list.VtxBuffer[static_cast<int>(command.VtxOffset + vertex)].pos;
+    };
+    const ImVec2 low = cornerOf(0), high = cornerOf(2); // AddImage: the upper left corner and, across, the lower right one
+    const bool isOneToOne = low.x == std::floor(low.x) && low.y == std::floor(low.y) &&
+                            high.x - low.x == static_cast<float>(texels.x) && high.y - low.y == static_cast<float>(texels.y);
+    if (!isOneToOne) return std::nullopt;
+    return Area{{static_cast<int>(low.x), static_cast<int>(low.y)}, texels};
+}
+
+} // namespace
+
 void addOpaqueImage(ImDrawList& list, const gl::Texture2D& texture, ImVec2 low, ImVec2 high) {
-    list.AddCallback([](const ImDrawList*, const ImDrawCmd*) { glDisable(GL_BLEND); }, nullptr);
+    list.AddCallback(beginOpaque, nullptr);
     list.AddImage(imguiTexture(texture), low, high, {0, 1}, {1, 0});
-    list.AddCallback([](const ImDrawList*, const ImDrawCmd*) { glEnable(GL_BLEND); }, nullptr);
+    list.AddCallback(endOpaque, nullptr);
 }
 
 WidgetRenderer::WidgetRenderer()
     : program_("window/widgets.vert", "window/widgets.frag"), vertexArray_(gl::VertexArrayHandle::create()),
-      vertices_(gl::BufferHandle::create()), indices_(gl::BufferHandle::create()) {
+      vertices_(gl::BufferHandle::create()), indices_(gl::BufferHandle::create()), copied_(gl::FramebufferHandle::create()) {
     glBindVertexArray(vertexArray_.id());
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
@@ -64,6 +89,31 @@ void WidgetRenderer::bindState(const ImDrawData& data, const gl::Framebuffer& ta
     glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
 }
 
+bool WidgetRenderer::copyTexels(const ImDrawList& list, const ImDrawCmd& command, const Area& clip,
+                                const gl::Framebuffer& target) const {
+    const GLuint texture = nameOf(command.GetTexID());
+    ivec2 size(0);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &size.x);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &size.y);
+    const std::optional<Area> place = placeOfTexels(list, command, size);
+    if (!place) return false;
+    const ivec2 low = glm::max(clip.corner, place->corner);
+    const ivec2 high = glm::min(glm::min(clip.corner + clip.size, place->corner + size), target.size());
+    if (low.x >= high.x || low.y >= high.y) return true;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, copied_.id());
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    glDisable(GL_SCISSOR_TEST); // where it is on, llvmpipe draws the copy
+    const ivec2 from = low - place->corner, to = high - place->corner;
+    const int height = target.size().y; // GL counts rows from below
+    glBlitFramebuffer(from.x, size.y - to.y, to.x, size.y - from.y, low.x, height - high.y, high.x, height - low.y,
+                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glEnable(GL_SCISSOR_TEST);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 0, 0); // it would keep the texture
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target.id());
+    return true;
+}
+
 void WidgetRenderer::draw(const ImDrawData& data, const gl::Framebuffer& target) const {
     const gl::DebugGroup group("widgets");
     bindState(data, target);
@@ -72,8 +122,10 @@ void WidgetRenderer::draw(const ImDrawData& data, const gl::Framebuffer& target)
         const ImDrawList& list = *data.CmdLists[l];
         glBufferData(GL_ARRAY_BUFFER, list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data, GL_STREAM_DRAW);
         glBufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data, GL_STREAM_DRAW);
+        bool isOpaque = false;
         for (const ImDrawCmd& command : list.CmdBuffer) {
             if (command.UserCallback) {
+                isOpaque = command.UserCallback == beginOpaque;
                 if (command.UserCallback == ImDrawCallback_ResetRenderState)
                     bindState(data, target);
                 else
@@ -84,6 +136,7 @@ void WidgetRenderer::draw(const ImDrawData& data, const gl::Framebuffer& target)
             const auto left = static_cast<GLint>(clip.x), top = static_cast<GLint>(clip.y),
                        right = static_cast<GLint>(clip.z), bottom = static_cast<GLint>(clip.w);
             if (right <= left || bottom <= top) continue;
+            if (isOpaque && copyTexels(list, command, {{left, top}, {right - left, bottom - top}}, target)) continue;
             glScissor(left, height - bottom, right - left, bottom - top);
             glBindTexture(GL_TEXTURE_2D, nameOf(command.GetTexID()));
             const std::uintptr_t first = command.IdxOffset * sizeof(ImDrawIdx);

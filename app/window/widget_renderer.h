@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "app/window/imgui_bridge.h"
+#include "app/window/pane_frames.h"
 #include "techniques/foundation/gl/framebuffer.h"
 #include "techniques/foundation/gl/program.h"
 
@@ -14,7 +15,8 @@ inline ImTextureID imguiTexture(const gl::Texture2D& texture) { return imguiText
 /// A place in pixels, as ImGui takes it.
 inline ImVec2 imVec(ivec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 
-/// Draws a picture without blending, which is faster.
+/// Draws a picture without blending. Where its texels lie on pixels one to one it is copied: a software renderer copies a picture in
+/// a fifth of the time in which it draws one.
 void addOpaqueImage(ImDrawList& list, const gl::Texture2D& texture, ImVec2 low, ImVec2 high);
 
 class WidgetRenderer {
@@ -30,10 +32,14 @@ public:
 
 private:
     void bindState(const ImDrawData& data, const gl::Framebuffer& target) const;
+    /// Copies the picture of an opaque image within `clip`, in pixels from the upper left corner. False where it has to be drawn: its
+    /// texels are larger or smaller than pixels, or lie between them.
+    bool copyTexels(const ImDrawList& list, const ImDrawCmd& command, const Area& clip, const gl::Framebuffer& target) const;
     gl::Program program_;
     gl::VertexArrayHandle vertexArray_;
     gl::BufferHandle vertices_, indices_;
     gl::TextureHandle letters_;
+    gl::FramebufferHandle copied_; ///< a picture is attached to it while it is copied
 };
 
 } // namespace shadowlab::window

@@ -48,10 +48,11 @@ Progress VolumeTechnique::render(Frame& frame) {
             chosen_ = {.volumes = {}, .part = scene::kNowhere};
             frame.count("volumes", 0, static_cast<double>(casters_.of(light).size()), "casters");
         }
-        publishVisibility(frame, light);
-        publishStencilStages(frame, light);
-        clearAndCount(frame, light);
-        repair(frame, light);
+        const bool isCounted = publishVisibility(frame, light);
+        if (publishStencilStages(frame, light) || !isCounted) {
+            clearAndCount(frame, light);
+            repair(frame, light);
+        }
         frame.pass(
             passInfo(counting_.passes, "light"),
             [&] {
@@ -245,11 +246,13 @@ void VolumeTechnique::drawLit(Frame& frame, const gl::Program& program, int ligh
     });
 }
 
-void VolumeTechnique::publishVisibility(Frame& frame, int light) {
-    if (!frame.wants("visibility", light)) return;
+/// True if the stencil then holds the count, repaired. The stage is drawn on a copy of it: surfaces that are drawn mark their pixels
+/// there, so that of several at one depth only the first is taken, and to count again takes longer than to copy.
+bool VolumeTechnique::publishVisibility(Frame& frame, int light) {
+    if (!frame.wants("visibility", light)) return false;
     clearAndCount(frame, light);
     repair(frame, light);
-    frame.drawStage("visibility", light, GL_RG32F, [&] {
+    frame.drawStageOnCopy("visibility", light, GL_RG32F, [&] {
         // First every surface as if it were in shadow, then those that the light reaches.
         glDepthFunc(GL_EQUAL);
         glDepthMask(GL_FALSE);
@@ -260,9 +263,13 @@ void VolumeTechnique::publishVisibility(Frame& frame, int light) {
         gl::setVisibilityState();
         drawLit(frame, visibility_, light);
     });
+    return true;
 }
 
-void VolumeTechnique::publishStencilStages(Frame& frame, int light) {
+/// True if any was asked for; the stencil then holds something else.
+bool VolumeTechnique::publishStencilStages(Frame& frame, int light) {
+    const std::string_view stages[] = {counting_.stageAfterFirst, "stencil", "crossings", "repair"};
+    if (std::ranges::none_of(stages, [&](std::string_view stage) { return frame.wants(stage, light); })) return false;
     if (frame.wants(counting_.stageAfterFirst, light)) {
         clearCount(frame, light);
         count(frame, counting_.first, light);
@@ -284,6 +291,7 @@ void VolumeTechnique::publishStencilStages(Frame& frame, int light) {
         clearAndCount(frame, light);
         repair_.publish(frame, light, chosen_.volumes, chosen_.part, params_.stencil);
     }
+    return true;
 }
 
 void VolumeTechnique::publishOverPicture(Frame& frame, int light) {

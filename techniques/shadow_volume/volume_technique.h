@@ -90,8 +90,8 @@ private:
     void repair(Frame& frame, int light);
     void light(Frame& frame, int light) const;
     void drawLit(Frame& frame, const gl::Program& program, int light) const;
-    void publishVisibility(Frame& frame, int light);
-    void publishStencilStages(Frame& frame, int light);
+    bool publishVisibility(Frame& frame, int light);
+    bool publishStencilStages(Frame& frame, int light);
     void publishOverPicture(Frame& frame, int light);
 
     // volume_probe.cpp

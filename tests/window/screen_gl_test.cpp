@@ -56,6 +56,32 @@ TEST_F(ScreenTest, EveryLayoutAndPartDrawsSomethingElseAndNothingFails) {
     EXPECT_GE(seen.size(), 15u);
 }
 
+/// Of the pixels of a pane, upper rows first, the share that has the colour of the pane's own picture.
+double shareAsInPicture(const window::Screen& screen, const window::ShownPane& shown, const lab::Pane& pane) {
+    const image::Image window = picture::PictureEncoder::read(screen.picture());
+    const image::Image own = picture::PictureEncoder::read(pane.picture().texture);
+    const ivec2 corner(static_cast<int>(shown.pictureCorner.x), static_cast<int>(shown.pictureCorner.y));
+    int same = 0, all = 0;
+    for (int y = shown.area.corner.y; y < shown.area.corner.y + shown.area.size.y; ++y)
+        for (int x = shown.area.corner.x; x < shown.area.corner.x + shown.area.size.x; ++x, ++all)
+            same += window.at(x, y) == own.at(x - corner.x, y - corner.y);
+    EXPECT_GT(all, 40000);
+    return static_cast<double>(same) / all;
+}
+
+TEST_F(ScreenTest, PicturesStandOnTheScreenPixelByPixelAsTheyWereDrawn) {
+    Lab lab(scene("leafy"), {640, 400}); // leaves: a picture moved by one pixel is another one nearly everywhere
+    lab.ui.shown.handles = lab.ui.shown.panel = false;
+    for (const picture::Layout layout : {picture::Layout::single, picture::Layout::split, picture::Layout::side}) {
+        chooseLayout(lab.ui, layout);
+        settle(lab.screen);
+        ASSERT_FALSE(lab.screen.shownPanes().empty());
+        // The rest lies under the split line with its knob, and under lines between panes.
+        for (const window::ShownPane& shown : lab.screen.shownPanes())
+            EXPECT_GT(shareAsInPicture(lab.screen, shown, lab.ui.bench.pane(shown.pane)), 0.96) << static_cast<int>(layout);
+    }
+}
+
 TEST_F(ScreenTest, SizesFromNothingToLargeKeepEveryObject) {
     Lab lab(scene("sphere-on-plane"), {320, 200});
     settle(lab.screen);
