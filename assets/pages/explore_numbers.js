@@ -14,7 +14,8 @@
       this.rows = NUMBERS.map((number, i) => element('tr', { className: number.part ? 'part' : '' },
         element('th', { scope: 'row', textContent: number.label }), ...this.cells[i]));
       this.none = element('p', { className: 'note', textContent: 'Nothing was measured here.' });
-      this.table = element('table', {}, head, ...this.rows);
+      if (panes.length === 1) head.hidden = true; // its name stands above the picture
+      this.table = element('table', { 'aria-label': 'Measured of ' + panes.map(pane => pane.title).join(' and ') }, head, ...this.rows);
       this.machine = element('p', { className: 'note', textContent: 'Drawn by ' + machine + '.', hidden: !machine });
       this.element = explore.group('numbers-group', 'Measured', this.table, this.none, this.machine);
     }
