@@ -20,8 +20,10 @@ test_packages=('bubblewrap|' dpkg-dev file glslang-tools locales python3 python3
 # For the long form: fuzz targets are built with clang (14, which `clang` stands for on Debian 12, does not know all of C++20 that is
 # used here), setarch runs tests under the thread sanitizer, and zink draws by Mesa's Vulkan driver for
 # processors (tests/systems/drivers.py). Blender draws what radiosity is held against (tests/systems/cycles_check.py); Blender, POV-Ray
-# and three.js (npm) in Chromium draw exported scenes (tests/systems/foreign_check.py).
-long_packages=('blender|' 'chromium|' 'clang-16|clang' 'libclang-rt-16-dev|libclang-rt-dev' mesa-vulkan-drivers 'npm|' 'povray|' util-linux)
+# and three.js (npm) in Chromium draw exported scenes (tests/systems/foreign_check.py). Chromium and Firefox open slides that can be explored
+# (tests/systems/explore_check.py).
+long_packages=('blender|' 'chromium|' 'clang-16|clang' 'firefox-esr|' 'libclang-rt-16-dev|libclang-rt-dev' mesa-vulkan-drivers 'npm|' 'povray|'
+    'python3-websocket|' util-linux)
 
 # Debian's own tools and libraries, whatever else (conda, pyenv, a home-made cmake) is installed and first in the PATH.
 use_debian_tools() {

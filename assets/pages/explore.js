@@ -6,7 +6,8 @@
   const { element } = explore;
   const REST = 300;      // milliseconds without a change until it is read out, and neighbours are decoded ahead
   const NEIGHBOURS = 2;  // places of the lamp to either side that are decoded ahead
-  const OF_CONTROLS = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'Home', 'End', ' ', 'Enter']; // PageUp and PageDown turn slides: remote controls send them
+  // Keys that belong to a control while it has the focus. PageUp and PageDown always turn slides: remote controls send them.
+  const OF_CONTROLS = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'Home', 'End', ' ', 'Enter'];
 
   explore.Lab = class {
     constructor(section, root) {
@@ -14,6 +15,7 @@
       this.root = root;
       this.name = root.dataset.slide;
       this.data = JSON.parse(document.getElementById('explore-' + this.name).textContent);
+      this.nameSettings();
       this.pack = new explore.Pack(this.name, this.data);
       this.states = new Map(this.data.states.map(state => [state.pane + '/' + state.variant + '/' + state.lamp, state]));
       this.now = { view: 'picture', lamp: this.data.lamp ? this.data.lamp.start : 0, variant: 0, step: null, asking: false };
@@ -24,11 +26,21 @@
       this.built = true;
     }
 
+    /// Settings that the slide has changed belong to the name of a pane; not those that are changed here.
+    nameSettings() {
+      const { panes, settings } = this.data;
+      for (const pane of panes) {
+        const changing = settings.map(setting => setting.label + ' ' + setting.values[setting.start]);
+        const fixed = changing.reduce((text, one) => text.replace(one, ''), pane.settings || '').replace(/^(, )+|(, )+$/g, '').replace(/(, ){2,}/g, ', ');
+        if (fixed) pane.title += ' (' + fixed + ')';
+      }
+    }
+
     build() {
       const { data, name, root } = this, still = matchMedia('(prefers-reduced-motion: reduce)').matches;
       this.stage = new explore.Stage(data, () => {});
       this.views = new explore.Views(data, name, view => this.change({ view, step: null }));
-      this.numbers = new explore.Numbers(data.panes);
+      this.numbers = new explore.Numbers(data.panes, data.machine);
       this.status = element('p', { className: 'spoken', role: 'status' });
       const column = this.column = element('div', { className: 'column' }, this.numbers.element);
       if (data.lamp && data.lamp.positions.length > 1) {
@@ -55,7 +67,8 @@
           pane => this.stateOf(pane).numbers, text => this.say(text));
         column.append(this.task.element);
       }
-      column.append(element('p', { className: 'note keys-note', textContent: 'In here the arrow keys belong to what is chosen. Esc gives them back to the slides.' }));
+      column.append(element('p', { className: 'note keys-note',
+        textContent: 'In here the arrow keys belong to what is chosen. Esc gives them back to the slides.' }));
       root.style.setProperty('--aspect', data.width / data.height);
       root.replaceChildren(this.turners(), element('div', { className: 'left' }, this.stage.element, this.views.foot, this.views.element), column, this.status);
       this.listen();
@@ -94,7 +107,8 @@
       const all = this.data.lamp ? this.data.lamp.positions.map((position, i) => i) : [0], single = this.single(state);
       const some = state.asking ? this.ask.places : single ? single.at.map(([lamp]) => lamp).sort((a, b) => a - b) : all;
       const what = state.asking ? 'Answers are given' : state.step ? 'Steps are shown' : 'This view is shown';
-      return some.length && some.length < all.length ? [some, what + ' at ' + some.length + (some.length === 1 ? ' place' : ' places') + ' of the lamp.'] : [all, ''];
+      if (!some.length || some.length === all.length) return [all, ''];
+      return [some, what + ' at ' + some.length + (some.length === 1 ? ' place' : ' places') + ' of the lamp.'];
     }
 
     /// Changes what is chosen. Stages, steps and answers exist for the first variant only, so one choice may undo another.
@@ -112,7 +126,7 @@
       if (this.lamp && !places.includes(next.lamp)) next.lamp = this.lamp.nearest(next.lamp, places);
       this.now = next;
       if (this.settings) this.notes.push(...this.settings.putBack(before.variant, next.variant));
-      if (next.step && (!before.step || before.step.index !== next.step.index || before.step.pane !== next.step.pane)) this.notes.push(this.steps.words(next.step) + '.');
+      if (wanted.step) this.notes.push(this.steps.words(next.step) + '.');
       if (why && why !== this.why) this.notes.push(why);
       this.why = why;
       this.refresh(places, why);
@@ -131,7 +145,7 @@
       if (this.settings) this.settings.set(now.variant);
       if (this.steps) this.steps.set(now.step);
       if (this.ask) this.ask.set(now.asking);
-      this.views.set(now.view, now.step ? this.single().note || '' : null,
+      this.views.set(now.view, now.step ? this.single() : null,
         data.panes.filter((pane, i) => this.stateOf(i).verdict === undefined || this.stateOf(i).verdict === null).map(pane => pane.title));
       clearTimeout(this.resting);
       const news = this.built; // what stands there from the start is none
@@ -184,7 +198,8 @@
 
     saidOf(sides) {
       const { now, data } = this, titles = sides.map(side => data.panes[side.pane].title);
-      const what = now.step ? this.steps.words(now.step) : { picture: 'Picture', errors: 'Errors', truth: 'Truth' }[now.view] || this.views.stage(now.view).label;
+      const what = now.step ? this.steps.words(now.step)
+        : { picture: 'Picture', errors: 'Errors', truth: 'Truth' }[now.view] || this.views.stage(now.view).label;
       return what + ', ' + (titles.length === 2 ? titles[0] + ' on the left, ' + titles[1] + ' on the right' : titles[0]) +
         (this.lamp ? '. Lamp: ' + data.lamp.positions[now.lamp].said : '') + '.';
     }
@@ -228,12 +243,18 @@
 
   const wide = matchMedia('(min-width: 701px)'), labs = new Map(), seen = new Set();
 
+  let moved = false; // by a hand; until then the window belongs to the slide that the address names
+  for (const kind of ['touchstart', 'pointerdown', 'wheel', 'keydown'])
+    addEventListener(kind, () => { moved = true }, { once: true, passive: true, capture: true });
+
   /// On a page that is scrolled, keeps what is at the top of the window there, though something above it gets longer.
   function inPlace(change) {
     const top = [...document.querySelectorAll('section')].find(section => section.getBoundingClientRect().bottom > 1);
     const before = top ? top.getBoundingClientRect().top : 0;
     change();
-    if (!wide.matches && top) scrollBy(0, top.getBoundingClientRect().top - before);
+    if (wide.matches) return;
+    if (!moved && location.hash) document.querySelector('section.now').scrollIntoView({ block: 'start' });
+    else if (top) scrollBy(0, top.getBoundingClientRect().top - before);
   }
 
   /// A lab is there while its slide is shown large, or near on a page that is scrolled.

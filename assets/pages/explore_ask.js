@@ -19,8 +19,8 @@
       this.token = 0;
       this.all = false;
       const count = data.ask.points.length;
-      this.rings = data.ask.points.map(([x, y], i) => element('button', { type: 'button', className: 'ring', style: 'left: ' + 100 * x + '%; top: ' + 100 * y + '%',
-        'aria-label': 'point ' + (i + 1) + ' of ' + count, 'aria-pressed': 'false', tabIndex: i ? -1 : 0 }));
+      this.rings = data.ask.points.map(([x, y], i) => element('button', { type: 'button', className: 'ring',
+        style: 'left: ' + 100 * x + '%; top: ' + 100 * y + '%', 'aria-label': 'point ' + (i + 1) + ' of ' + count, 'aria-pressed': 'false', tabIndex: i ? -1 : 0 }));
       this.grid = element('div', { className: 'rings', role: 'group', 'aria-label': 'Points of the picture to ask about', hidden: true,
         onclick: event => this.clicked(event), onkeydown: event => this.key(event) }, ...this.rings);
       picture.append(this.grid);
@@ -40,8 +40,8 @@
           this.answer();
         });
       }
-      this.panel = element('div', { className: 'panel', role: 'group', 'aria-label': 'Answer', hidden: true }, ...(this.radios ? [this.radios.element] : []), this.verdict,
-        this.facts, this.more, this.figureButton);
+      this.panel = element('div', { className: 'panel', role: 'group', 'aria-label': 'Answer', hidden: true },
+        ...(this.radios ? [this.radios.element] : []), this.verdict, this.facts, this.more, this.figureButton);
       this.element = explore.group('ask-group', 'Ask', this.button, this.hint, this.panel, this.dialog);
     }
 
@@ -105,7 +105,8 @@
       if (this.radios) this.radios.set(this.pane);
       this.verdict.textContent = 'Point ' + (this.point + 1) + (this.radios ? '' : ', ' + this.data.panes[this.pane].title) + '. ' + verdict;
       this.facts.replaceChildren(...facts.slice(0, this.all ? facts.length : FIRST_FACTS).map(([name, value]) =>
-        element('tr', {}, element('th', { scope: 'row', textContent: name }), element('td', { textContent: value }))));
+        name ? element('tr', {}, element('th', { scope: 'row', textContent: name }), element('td', { textContent: value }))
+          : element('tr', {}, element('td', { colspan: 2, textContent: value }))));
       this.facts.hidden = !facts.length;
       this.more.hidden = !more;
       this.more.textContent = this.all ? 'Fewer facts' : 'All ' + facts.length + ' facts';

@@ -4,13 +4,16 @@
   'use strict';
 
   const { element } = explore;
+  const STAGE = 'stage ';
   const MOST_RADIOS = 5; // values of a setting; more go into a list
 
-  const swatches = legend => element('ul', { className: 'legend', 'aria-label': 'Legend' }, ...legend.map(([color, label]) =>
-    element('li', {}, element('span', { className: 'swatch', style: 'background: ' + color, 'aria-hidden': 'true' }), label)));
+  const swatches = legend => !legend || !legend.length ? [] : [element('ul', { className: 'legend', 'aria-label': 'Legend' }, ...legend.map(([color, label]) =>
+    element('li', {}, element('span', { className: 'swatch', style: 'background: ' + color, 'aria-hidden': 'true' }), label)))];
 
-  const scaleOf = scale => element('p', { className: 'scale' }, scale.from, element('span', { className: 'ramp', 'aria-hidden': 'true',
-    style: 'background: linear-gradient(to right, ' + scale.colors.join(', ') + ')' }), scale.to);
+  const scaleOf = scale => !scale ? [] : [element('p', { className: 'scale' }, scale.from, element('span', { className: 'ramp', 'aria-hidden': 'true',
+    style: 'background: linear-gradient(to right, ' + scale.colors.join(', ') + ')' }), scale.to)];
+
+  const paragraphs = (...texts) => texts.filter(Boolean).map(text => element('p', { textContent: text }));
 
   explore.Views = class {
     constructor(data, name, choose) {
@@ -19,29 +22,25 @@
       const both = new Set(data.views.map(view => view.pane)).size > 1;
       const options = [{ value: 'picture', label: 'Picture' }, ...(has('verdict') ? [{ value: 'errors', label: 'Errors' }] : []),
         ...(has('truth') ? [{ value: 'truth', label: 'Truth' }] : []),
-        ...data.views.map(view => ({ value: view.id, label: view.label + (both ? ' (' + data.panes[view.pane].title + ')' : '') }))];
+        ...data.views.map((view, i) => ({ value: STAGE + i, label: view.label + (both ? ' (' + data.panes[view.pane].title + ')' : '') }))];
       this.radios = explore.radios('View', 'view-' + name, options, choose);
       this.element = this.radios.element;
       this.foot = element('div', { className: 'foot' });
     }
 
-    /// The stage of that name, or undefined where it is the picture, its errors, or the truth.
-    stage(id) { return this.data.views.find(view => view.id === id) }
+    /// The stage that a view shows, or undefined where it is the picture, its errors, or the truth. Two panes may have stages of the same id.
+    stage(view) { return view.startsWith(STAGE) ? this.data.views[Number(view.slice(STAGE.length))] : undefined }
 
-    /// What explains the picture stands below it. `note` replaces the explanation of the view, if there is one.
-    set(id, note, missing) {
-      this.radios.set(note === null ? id : '');
-      const view = this.stage(id), foot = [];
-      if (note !== null) foot.push(element('p', { textContent: note }));
-      else if (view) {
-        if (view.legend && view.legend.length) foot.push(swatches(view.legend));
-        if (view.scale) foot.push(scaleOf(view.scale));
-        if (view.caption) foot.push(element('p', { textContent: view.caption }));
-      } else if (id === 'errors') {
-        foot.push(swatches(this.data.verdictColors), ...missing.map(title =>
-          element('p', { textContent: title + ' tells no visibility here, so its errors are not known.' })));
-      } else if (id === 'truth') foot.push(element('p', { textContent: 'What is lit and what is in shadow, from exact geometry.' }));
-      this.foot.replaceChildren(...foot);
+    /// What explains the picture stands below it. With a step there, it is the step's. `missing` are the panes whose errors are not known.
+    set(view, step, missing) {
+      this.radios.set(step ? '' : view);
+      const shown = step || this.stage(view);
+      if (shown) this.foot.replaceChildren(...swatches(shown.legend), ...scaleOf(shown.scale), ...paragraphs(shown.caption, shown.note));
+      else if (view === 'errors') this.foot.replaceChildren(...swatches(this.data.verdictColors),
+        ...paragraphs(...missing.map(title => title + ' tells no visibility here, so its errors are not known.')));
+      else if (view === 'truth') this.foot.replaceChildren(...swatches(this.data.truthColors),
+        ...paragraphs('What is lit and what is in shadow, from exact geometry.'));
+      else this.foot.replaceChildren();
     }
   };
 

@@ -4,28 +4,38 @@
   'use strict';
 
   const { element } = explore;
-  const LABEL = 12;       // pixels of the type in the plan, where it is PLAN_WIDTH wide
-  const PLAN_WIDTH = 300;
+  const LABEL = 12;                           // pixels of the type in the plan,
+  const PLAN_WIDTH = 320, PLAN_HEIGHT = 240;  // which is at most so large, as the style has it
   const PLAY_STEP = 180;  // milliseconds from one position to the next
 
   const areaOf = outline => Math.abs(outline.reduce((sum, [x, y], i) => {
     const [nextX, nextY] = outline[(i + 1) % outline.length];
     return sum + x * nextY - nextX * y;
   }, 0)) / 2;
-  const middleOf = outline => [0, 1].map(axis => outline.reduce((sum, point) => sum + point[axis], 0) / outline.length);
   const points = list => list.map(point => point.join(',')).join(' ');
 
-  /// The scene from above. Names of objects are written where they hide no other name.
-  function planOf(lamp, track) {
-    const { width, height, objects, eye, view } = lamp.plan, type = width * LABEL / PLAN_WIDTH;
+  /// The scene from above. An object's name is written into it, at its lower side, where it has room and hides no other name.
+  function planOf(lamp, stops) {
+    const { width, height, objects, eye, view } = lamp.plan, type = LABEL * Math.max(width / PLAN_WIDTH, height / PLAN_HEIGHT);
     const drawn = [...objects].sort((a, b) => areaOf(b.outline) - areaOf(a.outline));
     const taken = [], names = [];
+    const write = (name, x, y) => names.push(element('text', { x, y: y + type * 0.35, 'font-size': type, 'text-anchor': 'middle', textContent: name }));
+    const boxOf = (name, x, y) => { const half = name.length * type * 0.31; return [x - half, y - type * 0.6, x + half, y + type * 0.6] };
+    if (eye) {
+      const at = [explore.clamped(eye[0], type, width - type), eye[1] + type * (eye[1] + 1.7 * type > height ? -1.1 : 1.1)];
+      taken.push(boxOf('eye', ...at));
+      write('eye', ...at);
+    }
     for (const object of [...drawn].reverse()) {
-      const [x, y] = middleOf(object.outline), half = object.name.length * type * 0.31;
-      const box = [x - half, y - type * 0.6, x + half, y + type * 0.6];
-      if (box[0] < 0 || box[2] > width || taken.some(other => box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3])) continue;
+      const [[left, right], [top, bottom]] = [0, 1].map(axis => object.outline.map(point => point[axis]))
+        .map(all => [Math.min(...all), Math.max(...all)]);
+      const x = (left + right) / 2, y = bottom - type * 0.8, box = boxOf(object.name, x, y);
+      const isOutside = box[0] < 0 || box[2] > width || box[1] < 0 || box[3] > height;
+      const isLarger = box[2] - box[0] > right - left || 1.6 * type > bottom - top;
+      const hidesAnother = taken.some(other => box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3]);
+      if (isOutside || isLarger || hidesAnother) continue;
       taken.push(box);
-      names.push(element('text', { x, y: y + type * 0.35, 'font-size': type, 'text-anchor': 'middle', textContent: object.name }));
+      write(object.name, x, y);
     }
     const said = 'The scene from above: ' + objects.map(object => object.name).join(', ') + '.';
     const plan = element('svg', { viewBox: '0 0 ' + width + ' ' + height, role: 'img', 'aria-label': said },
@@ -33,10 +43,9 @@
     if (eye) {
       plan.append(...view.map(rim => element('polyline', { class: 'view', points: points([eye, rim]) })),
         element('circle', { class: 'eye', cx: eye[0], cy: eye[1], r: type * 0.45 }, element('title', { textContent: 'eye' })));
-      const half = 3 * type * 0.31, at = [eye[0], eye[1] + type * (eye[1] + 1.6 * type > height ? -0.8 : 1.4)];
-      names.push(element('text', { x: explore.clamped(at[0], half, width - half), y: at[1], 'font-size': type, 'text-anchor': 'middle', textContent: 'eye' }));
     }
-    plan.append(element(lamp.closed ? 'polygon' : 'polyline', { class: 'track', points: points(lamp.positions.map(position => position.plan)) }), track, ...names);
+    const line = points(lamp.positions.map(position => position.plan));
+    plan.append(element(lamp.closed ? 'polygon' : 'polyline', { class: 'track', points: line }), stops, ...names);
     return plan;
   }
 

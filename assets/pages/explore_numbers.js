@@ -3,26 +3,29 @@
 (explore => {
   'use strict';
 
-  const { element, NUMBERS, numberWords } = explore;
+  const { element, known, NUMBERS, numberOf, numberWords } = explore;
 
   explore.Numbers = class {
-    constructor(panes) {
+    /// `machine` is what the times were measured on.
+    constructor(panes, machine) {
       this.panes = panes;
       this.cells = NUMBERS.map(() => panes.map(() => element('td')));
       const head = element('tr', {}, element('td'), ...panes.map(pane => element('th', { scope: 'col', textContent: pane.title })));
       this.rows = NUMBERS.map((number, i) => element('tr', { className: number.part ? 'part' : '' },
         element('th', { scope: 'row', textContent: number.label }), ...this.cells[i]));
       this.none = element('p', { className: 'note', textContent: 'Nothing was measured here.' });
-      this.table = element('table', {}, head, ...this.rows);
-      this.element = explore.group('numbers-group', 'Measured', this.table, this.none);
+      if (panes.length === 1) head.hidden = true; // its name stands above the picture
+      this.table = element('table', { 'aria-label': 'Measured of ' + panes.map(pane => pane.title).join(' and ') }, head, ...this.rows);
+      this.machine = element('p', { className: 'note', textContent: 'Drawn by ' + machine + '.', hidden: !machine });
+      this.element = explore.group('numbers-group', 'Measured', this.table, this.none, this.machine);
     }
 
     /// `numbers`: for each pane an object or null. Rows that no pane has a number for are left out.
     set(numbers) {
-      const has = NUMBERS.map(number => numbers.some(each => each && each[number.id] !== undefined && each[number.id] !== null));
+      const has = NUMBERS.map(number => numbers.some(each => known(numberOf(each, number.id))));
       NUMBERS.forEach((number, i) => {
         this.rows[i].hidden = !has[i];
-        this.cells[i].forEach((cell, pane) => { cell.textContent = numberWords((numbers[pane] || {})[number.id], number.unit) });
+        this.cells[i].forEach((cell, pane) => { cell.textContent = numberWords(numberOf(numbers[pane], number.id), number.unit) });
       });
       this.table.hidden = !has.includes(true);
       this.none.hidden = has.includes(true);
@@ -30,9 +33,10 @@
 
     words(numbers) {
       return numbers.map((each, pane) => {
-        if (!each || each.coreErrors === undefined || each.coreErrors === null) return '';
-        return this.panes[pane].title + ': ' + numberWords(each.coreErrors) + ' wrong pixels' +
-          (each.compared === undefined || each.compared === null ? '.' : ' of ' + numberWords(each.compared) + '.');
+        if (!known(numberOf(each, 'wrong'))) return '';
+        const of = known(each.compared) ? ' of ' + numberWords(each.compared) : '';
+        const core = known(each.coreErrors) ? ', ' + numberWords(each.coreErrors) + ' of them far from edges' : '';
+        return this.panes[pane].title + ': ' + numberWords(numberOf(each, 'wrong')) + ' wrong pixels' + of + core + '.';
       }).filter(Boolean).join(' ');
     }
   };
@@ -56,14 +60,15 @@
     keep() { try { localStorage.setItem(this.key, 'solved') } catch (refused) { /* then it is forgotten with the page */ } }
 
     check() {
-      const { pane, number, atLeast, atMost, told } = this.task, known = NUMBERS.find(each => each.id === number);
-      const has = value => value !== null && value !== undefined;
-      const value = (this.numbersOf(pane) || {})[number], unit = known ? known.unit : '', name = known ? known.label : number;
-      const right = has(value) && (!has(atLeast) || value >= atLeast) && (!has(atMost) || value <= atMost);
-      const asked = [has(atLeast) ? 'at least ' + numberWords(atLeast, unit) : '', has(atMost) ? 'at most ' + numberWords(atMost, unit) : '']
+      const { pane, number, atLeast, atMost, told } = this.task;
+      const { label, alone, unit } = NUMBERS.find(each => each.id === number) || { label: number, unit: '' };
+      const value = numberOf(this.numbersOf(pane), number), name = alone || label;
+      const right = known(value) && (!known(atLeast) || value >= atLeast) && (!known(atMost) || value <= atMost);
+      const asked = [known(atLeast) ? 'at least ' + numberWords(atLeast, unit) : '', known(atMost) ? 'at most ' + numberWords(atMost, unit) : '']
         .filter(Boolean).join(' and ');
       const here = name + ' of ' + this.title + ' here: ' + numberWords(value, unit) + '.';
-      this.answer.textContent = right ? (/^right\b/i.test(told) ? '' : 'Right. ') + told + ' ' + here : 'Not yet. ' + here + ' Asked: ' + asked + '.';
+      const praise = [/^right\b/i.test(told) ? '' : 'Right.', told, here].filter(Boolean).join(' ');
+      this.answer.textContent = right ? praise : 'Not yet. ' + here + ' Asked: ' + asked + '.';
       this.answer.classList.toggle('right', right);
       this.answer.hidden = false;
       if (right) {

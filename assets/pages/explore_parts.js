@@ -67,17 +67,27 @@
 
   explore.clamped = (value, least, most) => Math.min(most, Math.max(least, value));
 
-  /// The numbers of a state in the order in which they are shown. Whole numbers have commas; others as many digits as they need.
+  /// The numbers of a state in the order in which they are shown. `wrong` is the sum of false lit and false shadow; core errors are those of
+  /// them that lie far from any true edge, so that they are no aliasing. Whole numbers have commas; others as many digits as they need.
   explore.NUMBERS = [
-    { id: 'coreErrors', label: 'Wrong pixels', unit: '' },
+    { id: 'compared', label: 'Pixels compared', unit: '' },
+    { id: 'wrong', label: 'Wrong pixels', unit: '' },
     { id: 'falseLit', label: 'false lit', unit: '', part: true },
     { id: 'falseShadow', label: 'false shadow', unit: '', part: true },
-    { id: 'compared', label: 'compared', unit: '', part: true },
+    { id: 'coreErrors', label: 'far from edges', unit: '', part: true, alone: 'Wrong pixels far from edges' },
     { id: 'edgeErrorPx', label: 'Edge error', unit: ' px' },
     { id: 'frameMs', label: 'Frame time', unit: ' ms' },
   ];
+  explore.known = value => value !== null && value !== undefined;
+
+  /// One of the numbers of a state, or undefined.
+  explore.numberOf = (numbers, id) => {
+    const of = numbers || {};
+    return id === 'wrong' ? (explore.known(of.falseLit) && explore.known(of.falseShadow) ? of.falseLit + of.falseShadow : undefined) : of[id];
+  };
+
   explore.numberWords = (value, unit = '') => {
-    if (value === null || value === undefined) return 'not known';
+    if (!explore.known(value)) return 'not known';
     const digits = Number.isInteger(value) || Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : 2;
     return value.toLocaleString('en', { maximumFractionDigits: digits }) + unit;
   };

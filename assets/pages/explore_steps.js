@@ -26,6 +26,7 @@
       this.pane = this.stepsOf.findIndex(steps => steps.length);
       this.at = null;
       this.title = element('p', { className: 'step-title' });
+      this.why = element('p');
       this.formulas = element('div');
       this.begin = explore.button('Step through', () => this.move(0));
       this.previous = explore.button('Previous', () => this.move(-1));
@@ -35,12 +36,13 @@
       this.codeGroup = element('div', { role: 'group', 'aria-label': 'Pseudocode', className: 'pseudocode' }, this.code);
       this.element = explore.group('steps-group', 'Steps');
       if (this.stepsOf.filter(steps => steps.length).length > 1) {
-        this.radios = explore.radios('Steps of', 'steps-' + name, data.panes.map((pane, i) => ({ value: i, label: pane.title })), value => this.change(Number(value)));
+        this.radios = explore.radios('Steps of', 'steps-' + name, data.panes.map((pane, i) => ({ value: i, label: pane.title })),
+          value => this.change(Number(value)));
         this.radios.set(this.pane);
         this.element.append(this.radios.element);
       }
       this.bar = element('div', { className: 'row' }, this.previous, this.next, this.out);
-      this.element.append(this.begin, this.bar, this.title, this.formulas, this.codeGroup);
+      this.element.append(this.begin, this.bar, this.title, this.why, this.formulas, this.codeGroup);
       this.set(null);
     }
 
@@ -67,12 +69,13 @@
       this.at = place;
       const steps = this.stepsOf[this.pane];
       this.begin.hidden = Boolean(place);
-      this.bar.hidden = this.formulas.hidden = this.codeGroup.hidden = !place;
+      this.bar.hidden = this.why.hidden = this.formulas.hidden = this.codeGroup.hidden = !place;
       this.title.textContent = place ? this.words(place) + '.' : steps.length + ' steps of ' + this.panes[this.pane].title + '.';
       if (!place) return;
       this.previous.setAttribute('aria-disabled', place.index === 0); // not disabled: the focus would be lost
       this.next.setAttribute('aria-disabled', place.index === steps.length - 1);
       const step = this.step(place);
+      this.why.textContent = step.why || '';
       this.formulas.replaceChildren(...(step.formula || []).map(formulaOf));
       if (this.shown !== place.pane) this.code.replaceChildren(...this.panes[place.pane].pseudocode.map(lineOf));
       this.shown = place.pane;

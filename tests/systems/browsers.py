@@ -155,6 +155,10 @@ class Chromium(Browser):
     def picture(self, file):
         Path(file).write_bytes(base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"]))
 
+    def before(self, script):
+        """Runs a script in every page from now on, before the page's own."""
+        self.call("Page.addScriptToEvaluateOnNewDocument", source=script)
+
     def names(self):
         """Role and name of each thing that is read out."""
         self.call("Accessibility.enable")
@@ -223,6 +227,9 @@ class Firefox(Browser):
 
     def picture(self, file):
         Path(file).write_bytes(base64.b64decode(self.call("browsingContext.captureScreenshot", context=self.context)["data"]))
+
+    def before(self, script):
+        self.call("script.addPreloadScript", functionDeclaration=f"() => {{ {script} }}")
 
     def goodbye(self):
         self.call("browser.close")
