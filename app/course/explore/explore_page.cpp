@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::uint64_t kLargestCode = 1 << 20; ///< bytes of a file; ours have some ten thousand
 // In the order in which the page reads them.
-constexpr std::array kScripts{"explore_parts.js", "explore_pack.js",    "explore_stage.js", "explore_lamp.js", "explore_choices.js",
-                              "explore_steps.js", "explore_numbers.js", "explore_ask.js",   "explore.js"};
+constexpr std::array kScripts{"explore_parts.js",   "explore_pack.js",  "explore_stage.js", "explore_lamp.js", "explore_choices.js",
+                              "explore_numbers.js", "explore_steps.js", "explore_ask.js",   "explore.js"};
 
 /// In an element of a page: no "</" in a text ends it.
 std::string withoutEndTags(std::string json) {
