@@ -23,7 +23,8 @@ from pages import ROOT, all_pages, commands_of, extract
 LEAST_COMMANDS = 100  # so that a pattern that no longer finds them is noticed
 SMALL = {"capture": "160x90", "measure": "96x54", "lesson": "480x270", "slides": "640x360"}
 WITH_WORDS = "400x260"  # below the picture of a step stands its title
-WITHOUT_VALUE = {"--ui", "--presenter", "--keys", "--animate", "--steps", "--measure", "--json", "--report", "--help", "--version", "--quick", "--hard"}
+WITHOUT_VALUE = {"--ui", "--presenter", "--keys", "--animate", "--steps", "--measure", "--json", "--report", "--help", "--version", "--quick", "--hard",
+                 "--explore"}
 SHORT = {"-t": "--technique", "-o": "--output", "-h": "--help"}
 
 

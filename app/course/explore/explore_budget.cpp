@@ -45,18 +45,23 @@ std::string differenceText(const ExploreSize& asked, const ExploreSize& chosen) 
     return text;
 }
 
-/// What is known of the slide's bytes: those of so many positions of the lamp in pictures of that size.
+/// What is known of the slide's bytes from a try: those that grow with the positions of the lamp, and the rest.
 struct Known {
-    double bytes = 0;
+    double stateBytes = 0, otherBytes = 0; ///< in the page
     ivec2 picture{1};
     int positions = 1;
 };
+Known knownFrom(const ExploredSlide& tried, ivec2 picture, int positions) {
+    const auto all = static_cast<double>(pageBytes(tried));
+    const double share = tried.bytes.empty() ? 0 : static_cast<double>(tried.stateBytes) / static_cast<double>(tried.bytes.size());
+    return {all * share, all * (1 - share), picture, positions};
+}
 
-/// What they become with other numbers of both. Bytes grow a little slower than pixels.
+/// What they become in another size. Bytes grow a little slower than pixels.
 double estimatedBytes(const Known& known, const ExploreSize& size) {
     constexpr double kGrowth = 0.85;
     const double side = static_cast<double>(size.picture.x) / known.picture.x;
-    return known.bytes * std::pow(side * side, kGrowth) * size.lampPositions / known.positions;
+    return (known.stateBytes * size.lampPositions / known.positions + known.otherBytes) * std::pow(side * side, kGrowth);
 }
 
 } // namespace
@@ -70,23 +75,25 @@ FittedSlide fittedSlide(const Slide& slide, const Explore& explore, ExploreReque
     const ExploreSize asked = askedSize(explore);
     request.size = asked;
     Known known;
+    std::size_t bytes = 0;
     if (asked.lampPositions > 2 * kTrialPositions) { // where a trial would be most of the work, the first try is one
         ExploreRequest trial = request;
         trial.lampPositionsToDraw = kTrialPositions;
         trial.onState = {};
-        known = {static_cast<double>(pageBytes(exploredSlide(slide, explore, trial, font, bold, times))), asked.picture, kTrialPositions};
+        known = knownFrom(exploredSlide(slide, explore, trial, font, bold, times), asked.picture, kTrialPositions);
+        known.otherBytes *= kPositionsWithSteps; // of which a trial has one; answers come beside, mostly as much as one more
     }
     for (const Share& share : kShares) {
         request.size = sizeOf(explore, share);
         const bool isLast = &share == &kShares.back();
         if (!isLast && estimatedBytes(known, request.size) > static_cast<double>(mostBytes)) continue;
         ExploredSlide explored = exploredSlide(slide, explore, request, font, bold, times);
-        const std::size_t bytes = pageBytes(explored);
+        bytes = pageBytes(explored);
         if (bytes <= mostBytes) return {std::move(explored), request.size, differenceText(asked, request.size)};
-        known = {static_cast<double>(bytes), request.size.picture, request.size.lampPositions};
+        known = knownFrom(explored, request.size.picture, request.size.lampPositions);
     }
     constexpr std::size_t kMegabyte = 1000000;
-    throw Error(ExitStatus::overLimit, "needs " + std::to_string(static_cast<std::size_t>(known.bytes) / kMegabyte + 1) + " MB of the page even with " +
+    throw Error(ExitStatus::overLimit, "needs " + std::to_string(bytes / kMegabyte + 1) + " MB of the page even with " +
                                            std::to_string(request.size.lampPositions) +
                                            " positions of the lamp; give a larger --explore-budget, or explore fewer slides");
 }

@@ -65,6 +65,8 @@ public:
 
     ExploredSlide draw() {
         const int positions = request_.lampPositionsToDraw > 0 ? std::min(request_.lampPositionsToDraw, motion_.frames) : motion_.frames;
+        const bool isTrial = request_.lampPositionsToDraw > 0;
+        std::size_t stateBytes = 0;
         scene::Snapshot previous;
         for (int lamp = 0; lamp < positions; ++lamp) {
             // A trial's positions are spread over the track.
@@ -72,19 +74,21 @@ public:
             const film::Moment moment = film::momentAt(motion_, state_.scene, frame, previous);
             previous = moment.snapshot;
             session_.setScene(moment.snapshot);
+            const std::size_t before = pack_.bytes().size();
             for (std::size_t pane = 0; pane < panes_.size(); ++pane)
                 for (Variant& variant : variants_[pane]) {
                     variant.states.push_back(drawState(variant, frame));
                     if (request_.onState) request_.onState();
                 }
-            if (isOneOf(request_.size.positionsWithSteps, frame))
+            stateBytes += pack_.bytes().size() - before;
+            if (isTrial ? lamp == 0 : isOneOf(request_.size.positionsWithSteps, frame))
                 for (std::size_t pane = 0; pane < panes_.size(); ++pane) {
                     drawViews(pane, frame);
                     if (explore_.steps) drawSteps(pane, frame);
                 }
-            if (isOneOf(request_.size.askPositions, frame) && request_.lampPositionsToDraw == 0) ask(frame);
+            if (!isTrial && isOneOf(request_.size.askPositions, frame)) ask(frame);
         }
-        return {json(), pack_.bytes()};
+        return {json(), pack_.bytes(), stateBytes};
     }
 
 private:

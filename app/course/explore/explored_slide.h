@@ -40,12 +40,13 @@ using FrameTimes = std::map<std::string, double>;
 struct ExploredSlide {
     std::string json;                ///< what the page's script reads (docs/explore.md)
     std::vector<std::uint8_t> bytes; ///< that `json` refers to: sheets of tiles, answers
+    std::size_t stateBytes = 0;      ///< of `bytes`: pictures, verdicts and truths; the rest is stages, steps and answers
 };
 
 struct ExploreRequest {
     ExploreSize size;
     int supersample = 1;             ///< N x N samples for a pixel of a picture; verdicts are those of pixel centres
-    int lampPositionsToDraw = 0;     ///< a trial draws a few of them alone, and asks no pixel; 0: all
+    int lampPositionsToDraw = 0;     ///< a trial draws a few of them alone, stages and steps at one, and asks no pixel; 0: all
     std::string machine{};           ///< what the times of frames were measured on
     std::function<void()> onState{}; ///< after every state that was drawn; may throw
 };
