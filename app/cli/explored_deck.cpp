@@ -25,13 +25,16 @@ constexpr std::uint64_t kLargestTimes = 1 << 22; ///< bytes: 300 slides of 30 se
 
 ExploredDeck::ExploredDeck(const std::filesystem::path& folder, const std::string& deck, std::size_t budgetBytes, int slides,
                            int supersample)
-    : timesFile_(folder / (deck + ".times.json")), bytesLeft_(budgetBytes), slidesLeft_(slides), supersample_(supersample),
+    : timesFile_(folder / (deck + ".times.json")), equalBytes_(budgetBytes / static_cast<std::size_t>(std::max(1, slides))), bytesLeft_(budgetBytes),
+      slidesLeft_(slides), supersample_(supersample),
       font_(context::assetsRoot() / "fonts" / "DejaVuSans.ttf"), bold_(context::assetsRoot() / "fonts" / "DejaVuSans-Bold.ttf") {
     readTimes();
 }
 
 std::string ExploredDeck::elementsOf(const course::Slide& slide, const std::function<void()>& onState) {
-    const std::size_t share = bytesLeft_ / static_cast<std::size_t>(std::max(1, slidesLeft_));
+    // Up to twice an equal share, because most slides need less; but half of one is left for each of those that follow.
+    const std::size_t kept = static_cast<std::size_t>(std::max(0, slidesLeft_ - 1)) * (equalBytes_ / 2);
+    const std::size_t share = std::min(2 * equalBytes_, bytesLeft_ - std::min(bytesLeft_, kept));
     course::ExploreRequest request;
     request.supersample = slide.supersample.value_or(supersample_);
     request.machine = context::glRenderer();

@@ -27,6 +27,7 @@ private:
     void writeTimes() const;
 
     std::filesystem::path timesFile_;
+    std::size_t equalBytes_; ///< of each slide, if all took the same
     std::size_t bytesLeft_;
     int slidesLeft_;
     int supersample_;
