@@ -77,12 +77,16 @@
       const answer = at(this.section, '.answer');
       answer.before(this.verdict);
       at(answer, '.happens').after(element('div', { className: 'deeds' }, this.mendKey, this.againKey));
+      this.section.classList.add('built');
       this.addSplit();
       if (this.frames[0].length > 1) this.addFrames();
-      const link = (to, text) => element('a', { className: 'button', href: '#' + (to === null ? '' : 'lesson-' + (to + 1)) }, text);
-      at(this.section, '.talk').append(element('nav', { className: 'links', 'aria-label': 'Lessons' },
-        ...(this.index > 0 ? [link(this.index - 1, '\u2039 Before')] : []), link(null, 'All lessons'),
-        ...(this.index + 1 < this.count ? [link(this.index + 1, 'Next \u203a')] : [])));
+      const link = (to, text, name) => element('a', { className: 'button', href: '#' + (to === null ? '' : 'lesson-' + (to + 1)), 'aria-label': name }, text);
+      const next = this.index + 1 < this.count ? this.index + 1 : null;
+      at(this.section, '.head').append(element('nav', { className: 'links', 'aria-label': 'Lessons' },
+        ...(this.index > 0 ? [link(this.index - 1, '\u2039', 'Lesson before')] : []), link(null, 'All', 'All lessons'),
+        ...(next === null ? [] : [link(next, '\u203a', 'Next lesson')])));
+      this.next = element('p', { className: 'next' }, link(next, next === null ? 'All lessons' : 'Next lesson \u203a'));
+      at(this.section, '.talk').append(this.next);
     }
 
     addSplit() {
@@ -100,7 +104,7 @@
       const last = this.frames[0].length - 1;
       this.frameSlider = element('input', { type: 'range', min: 0, max: last, value: 0, oninput: () => this.turn(Number(this.frameSlider.value)) });
       at(this.section, '.stage').append(element('label', { className: 'slider' }, element('span', { textContent: 'Moment' }), this.frameSlider),
-        element('p', { className: 'note', textContent: 'What moves is ' + (last + 1) + ' pictures: go to and fro between them, and watch.' }));
+        element('p', { className: 'note', textContent: (last + 1) + ' moments of a movement: move the slider to and fro, and watch.' }));
     }
 
     turn(frame) {
@@ -176,6 +180,7 @@
       this.verdict.className = 'verdict ' + (isRight ? 'yes' : 'no');
       this.verdict.textContent = isRight ? '\u2713 Right.' : '\u2717 No. It is ' + 'ABCD'[this.right] + ': ' + at(this.choices[this.right], '.text').textContent + '.';
       this.mendKey.hidden = now.isMended;
+      this.next.hidden = !isTold;
       this.sliderRow.hidden = this.line.hidden = !now.isMended;
       for (const frames of this.frames) frames.forEach((image, i) => image.classList.toggle('shown', i === now.frame));
       if (this.frameSlider) this.frameSlider.setAttribute('aria-valuetext', 'moment ' + (now.frame + 1) + ' of ' + this.frames[0].length);
@@ -242,7 +247,7 @@
     const now = lessons.find(lesson => lesson.section.id === wanted || lesson.name === wanted);
     document.body.classList.toggle('reading', Boolean(now));
     for (const lesson of lessons) lesson.section.classList.toggle('now', lesson === now);
-    document.title = (now ? 'Lesson ' + (now.index + 1) + ': ' : '') + 'What has gone wrong? Lessons on shadows';
+    document.title = (now ? 'Lesson ' + (now.index + 1) + ': ' : '') + 'Lessons on shadows';
     if (now) now.open();
     if (!event) return;
     scrollTo(0, 0);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/course/lessons_page/lessons_page.h"
 
-#include <algorithm>
 #include <cctype>
 
 #include "app/course/lessons/lesson_quantities.h"
@@ -116,13 +115,13 @@ std::string numbers(const Lesson& lesson, const PageLesson& page) {
         for (std::size_t state = 0; state < 2; ++state) {
             const double value = page.measured[i][state];
             const Bound& bound = state == 0 ? expected.before : expected.after;
-            rows += "<td><data value=\"" + scene::numberText(value) + "\">" + picture::shortNumber(value, kDigits) + "</data> <small>" +
-                    bound.text() + (bound.holds(value) ? "" : " (not so)") + "</small></td>";
+            rows += "<td><data value=\"" + scene::numberText(value) + "\">" + picture::shortNumber(value, kDigits) + "</data> <small>expected " +
+                    bound.text() + (bound.holds(value) ? "" : ", and it is not") + "</small></td>";
         }
         rows += "</tr>\n";
     }
-    return "<table class=\"numbers\"><caption>What is measured, in pictures of " + std::to_string(lesson.size.x) + " × " +
-           std::to_string(lesson.size.y) + " pixels, and what has to come out</caption>\n"
+    return "<table class=\"numbers\"><caption>Measured in pictures of " + std::to_string(lesson.size.x) + " × " +
+           std::to_string(lesson.size.y) + " pixels</caption>\n"
            "<thead><tr><td></td><th scope=\"col\">before</th><th scope=\"col\">after</th></tr></thead>\n<tbody>" + rows + "</tbody></table>\n";
 }
 
@@ -131,8 +130,8 @@ std::string section(const Lesson& lesson, const PageLesson& page, std::size_t nu
     const LessonChoices& asked = page.asked;
     std::string html = "<section class=\"lesson" + std::string(asked.picture == 0 ? "" : " asks-after") + "\" id=\"lesson-" + id + "\" data-name=\"" +
                        escapedMarkup(lesson.text.name) + "\" data-right=\"" + std::to_string(asked.right) + "\" aria-labelledby=\"title-" + id + "\">\n" +
-                       "<div class=\"head\"><p class=\"chapter\">" + escapedMarkup(lesson.text.chapter) + "</p>\n<h2 id=\"title-" + id + "\">Lesson " + id + " of " +
-                       std::to_string(count) + "<span class=\"title\">: " + escapedMarkup(lesson.text.title) + "</span></h2></div>\n" +
+                       "<div class=\"head\"><div class=\"words\"><p class=\"chapter\">" + escapedMarkup(lesson.text.chapter) + "</p>\n<h2 id=\"title-" + id + "\">Lesson " + id + " of " +
+                       std::to_string(count) + "<span class=\"title\">: " + escapedMarkup(lesson.text.title) + "</span></h2></div></div>\n" +
                        "<div class=\"stage\"><div class=\"picture\">\n" + pictures(lesson, page) + looks(lesson) + "</div></div>\n<div class=\"talk\">\n" +
                        element("p class=\"question\"", escapedMarkup(asked.question)) + "\n<ol class=\"choices\" type=\"A\">\n";
     for (const std::string& choice : asked.choices)
@@ -144,11 +143,12 @@ std::string section(const Lesson& lesson, const PageLesson& page, std::size_t nu
 }
 
 std::string key(const std::vector<PageEntry>& entries) {
-    std::string rows;
-    for (std::size_t i = 0; i < entries.size(); ++i)
-        rows += "<tr>" + element("th scope=\"row\"", std::to_string(i + 1)) + element("td", escapedMarkup(entries[i].answer)) +
-                element("td", escapedMarkup(entries[i].title)) + "</tr>\n";
-    return "<section id=\"key\"><h2>The answers</h2>\n<table><tbody>\n" + rows + "</tbody></table></section>\n";
+    std::string lines;
+    for (const PageEntry& entry : entries) {
+        const bool namesTitle = entry.answer.ends_with(entry.title);
+        lines += element("li", escapedMarkup(entry.answer + (namesTitle ? "" : " (" + entry.title + ")"))) + "\n";
+    }
+    return "<section id=\"key\"><h2>The answers</h2>\n<ol>\n" + lines + "</ol></section>\n";
 }
 
 std::string overview(const std::vector<PageEntry>& entries) {
@@ -172,9 +172,9 @@ PageEntry pageEntry(const Lesson& lesson, const PageLesson& page, std::size_t nu
 std::string lessonsPage(const std::vector<PageEntry>& entries, const std::filesystem::path& assets) {
     const auto code = [folder = assets / "pages"](const char* name) { return scene::readFile(folder / name, kLargestCode); };
     std::string page = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>What has gone wrong? Lessons on shadows</title>\n<style>" +
-                       code("lessons.css") + "</style>\n</head>\n<body>\n<header>\n<h1>What has gone wrong?</h1>\n"
-                       "<p class=\"about\">Each lesson shows a picture of shadows with a fault, and asks. Then it says why, and mends it.</p>\n</header>\n" +
+                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Lessons on shadows</title>\n<style>" +
+                       code("lessons.css") + "</style>\n</head>\n<body>\n<header>\n<h1>Lessons on shadows</h1>\n"
+                       "<p class=\"about\">Each lesson shows a picture with a fault, and asks about it. Then it says why it is so, and what mends it.</p>\n</header>\n" +
                        overview(entries) + "<main>\n";
     for (const PageEntry& entry : entries)
         page += entry.section;
