@@ -116,7 +116,7 @@ public:
         const bool were[] = {std::filesystem::exists(folders[0], ignored),
                              std::filesystem::exists(folders[1], ignored)};
         makeFolder(folders[1]);
-        makeFolder(folders[0]);
+        if (!decks_.empty()) makeFolder(folders[0]);
         makePainter();
         countStates();
         progress_.emplace(options_.explores ? "picture" : "slide", total_, Progress::Remaining::told);
@@ -133,7 +133,7 @@ public:
             writeLessonsPage(options_.output, lessons_);
         }
         for (const int i : {0, 1}) // a folder that is still empty is removed again
-            if (!were[i] && std::filesystem::is_empty(folders[i], ignored))
+            if (!were[i] && std::filesystem::exists(folders[i], ignored) && std::filesystem::is_empty(folders[i], ignored))
                 std::filesystem::remove(folders[i], ignored);
         return static_cast<int>(worst_);
     }
@@ -229,10 +229,11 @@ private:
         for (const Deck& deck : decks_)
             known.insert(known.end(), deck.slides().begin(), deck.slides().end());
         known.insert(known.end(), lessons_.begin(), lessons_.end());
-        for (const std::string& slide : options_.only)
-            if (std::ranges::find(known, slide) == known.end())
+        const std::string what = lessons_.empty() ? "slide" : decks_.empty() ? "lesson" : "slide or lesson";
+        for (const std::string& name : options_.only)
+            if (std::ranges::find(known, name) == known.end())
                 throw Error(ExitStatus::usage,
-                            "--only: no slide is called '" + scene::shown(slide) + "'; " + suggestion(slide, known));
+                            "--only: no " + what + " is called '" + scene::shown(name) + "'; " + suggestion(name, known));
     }
 
     void draw(Deck& deck) {

@@ -28,6 +28,13 @@ bool areAlike(const LessonText& a, const LessonText& b) {
            std::ranges::find(b.alike, a.name) != b.alike.end();
 }
 
+/// "A ball hangs high above the floor." of "A ball hangs high above the floor. Where is its shadow? Paint it.": what is told before something
+/// is asked that a page cannot take, a shadow to be painted.
+std::string toldBefore(const std::string& question) {
+    const std::size_t asks = question.find('?'), end = question.rfind(". ", asks);
+    return asks == std::string::npos || end == std::string::npos ? "" : question.substr(0, end + 2);
+}
+
 } // namespace
 
 LessonChoices choicesOf(const Lesson& lesson, const std::vector<LessonText>& course) {
@@ -42,7 +49,7 @@ LessonChoices choicesOf(const Lesson& lesson, const std::vector<LessonText>& cou
         return std::tuple(kindOf(*other) != kindOf(own), other->chapter != own.chapter, digest(own.name + " " + other->name));
     };
     std::ranges::sort(others, {}, rank);
-    LessonChoices asked{"What has gone wrong here?", {}, 0, 0};
+    LessonChoices asked{(lesson.question ? toldBefore(lesson.question->text) : "") + "What has gone wrong here?", {}, 0, 0};
     for (const LessonText* other : others) {
         const std::size_t most = kindOf(*other) == kindOf(own) ? kMostWrong : kFewestWrong;
         if (asked.choices.size() < most) asked.choices.push_back(other->title);

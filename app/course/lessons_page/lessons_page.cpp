@@ -130,7 +130,8 @@ std::string section(const Lesson& lesson, const PageLesson& page, std::size_t nu
     const LessonChoices& asked = page.asked;
     std::string html = "<section class=\"lesson" + std::string(asked.picture == 0 ? "" : " asks-after") + "\" id=\"lesson-" + id + "\" data-name=\"" +
                        escapedMarkup(lesson.text.name) + "\" data-right=\"" + std::to_string(asked.right) + "\" aria-labelledby=\"title-" + id + "\">\n" +
-                       "<div class=\"head\"><div class=\"words\"><p class=\"chapter\">" + escapedMarkup(lesson.text.chapter) + "</p>\n<h2 id=\"title-" + id + "\">Lesson " + id + " of " +
+                       "<div class=\"head\"><div class=\"words\"><p class=\"chapter\">" + escapedMarkup(lesson.text.chapter) + "<span class=\"by\">Drawn by: " +
+                       escapedMarkup(techniqueTitles(lesson.states[asked.picture])) + "</span></p>\n<h2 id=\"title-" + id + "\">Lesson " + id + " of " +
                        std::to_string(count) + "<span class=\"title\">: " + escapedMarkup(lesson.text.title) + "</span></h2></div></div>\n" +
                        "<div class=\"stage\"><div class=\"picture\">\n" + pictures(lesson, page) + looks(lesson) + "</div></div>\n<div class=\"talk\">\n" +
                        element("p class=\"question\"", escapedMarkup(asked.question)) + "\n<ol class=\"choices\" type=\"A\">\n";
