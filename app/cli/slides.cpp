@@ -65,6 +65,7 @@ void describeSlides(DescribedOptions& add) {
 SlidesOptions slidesOptions(const GivenOptions& given) {
     SlidesOptions options;
     options.decks = given.texts("DECK");
+    options.allDecks = options.decks.empty();
     options.output = given.required("--output", "shadowlab slides -o DIR");
     options.only = splitAtCommas(given.texts("--only"));
     options.look.size = sizeFrom("--size", given.text("--size", "1920x1080"), "picture-side");
@@ -72,6 +73,7 @@ SlidesOptions slidesOptions(const GivenOptions& given) {
     constexpr double kNarrowest = 1.2, kWidest = 2.5; // shapes that slides are laid out for
     options.explores = given.has("--explore") || given.has("--explore-budget");
     options.exploreBytes = megabytesFrom("--explore-budget", given.text("--explore-budget", "20"));
+    options.lessons = std::erase(options.decks, kLessonsPage) > 0 || (options.allDecks && options.explores && options.only.empty());
     const double aspect = static_cast<double>(options.look.size.x) / options.look.size.y;
     if (options.look.size.y < kLeastHeight || aspect < kNarrowest || aspect > kWidest)
         refuseUsage(
@@ -127,11 +129,9 @@ public:
             note("interrupted; the same command goes on from here");
             throw;
         }
+        progress_.reset();
+        if (!lessons_.empty()) writeLessonsPage(options_.output, lessons_); // interrupted, it begins again, and the decks stand
         comeToTheEnd();
-        if (!lessons_.empty()) {
-            progress_.reset();
-            writeLessonsPage(options_.output, lessons_);
-        }
         for (const int i : {0, 1}) // a folder that is still empty is removed again
             if (!were[i] && std::filesystem::exists(folders[i], ignored) && std::filesystem::is_empty(folders[i], ignored))
                 std::filesystem::remove(folders[i], ignored);
@@ -141,17 +141,15 @@ public:
 private:
     void openDecks() {
         const scene::LoadOptions loading = loadOptions(options_.allowed);
-        std::vector<std::string> names = options_.decks;
-        const bool asksLessons = std::erase(names, kLessonsPage) > 0 || (names.empty() && options_.explores && options_.only.empty());
-        if (asksLessons) lessons_ = lessonNames();
-        if (options_.decks.empty()) names = course::builtInDecks(loading.assetsRoot);
+        const std::vector<std::string> names = options_.allDecks ? course::builtInDecks(loading.assetsRoot) : options_.decks;
+        if (options_.lessons) lessons_ = lessonNames();
         for (const std::string& name : names) {
             Deck deck(name, loading);
             image::keepInput(deck.file());
             if (std::ranges::find(decks_, deck.name(), &Deck::name) != decks_.end())
                 throw Error(ExitStatus::usage, "two of the decks are called '" + scene::shown(deck.name()) +
                                                    "', and so would be their slides; draw them into two folders");
-            if (asksLessons && deck.name() == kLessonsPage)
+            if (options_.lessons && deck.name() == kLessonsPage)
                 throw Error(ExitStatus::usage, scene::shownPath(deck.file()) + ": its page would be lessons.html, as that of all lessons; write them "
                                                                                "into two folders");
             decks_.push_back(std::move(deck));
