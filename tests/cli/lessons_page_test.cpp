@@ -176,5 +176,61 @@ TEST_F(LessonsPageTest, WhatIsRefusedLeavesNothing) {
     EXPECT_EQ(newSince(before).size(), 3u) << "lessons.json, out, out/lessons.html";
 }
 
+/// Assets with one deck and two lessons, so that all of them are soon drawn.
+class SmallCourseTest : public LessonsPageTest {
+protected:
+    SmallCourseTest() {
+        folder.write("assets/decks/tiny.json", R"({"title": "A deck", "scene": "sphere-on-plane", "slides":
+            [{"name": "ball", "title": "A ball", "slots": [{"technique": "planar"}], "alt": "A ball."}]})");
+        for (const auto& entry : std::filesystem::directory_iterator(context::assetsRoot()))
+            if (const std::string name = entry.path().filename().string(); name != "decks" && name != "lessons")
+                std::filesystem::create_symlink(entry.path(), folder.path() / "assets" / name);
+        for (const char* name : {"steps", "stripes"})
+            folder.write("assets/lessons/" + std::string(name) + ".json", R"({"title": ")" + std::string(name) + R"(", "scene": "sphere-on-plane",
+                "slots": [{"technique": "shadow-map"}], "set": ["shadow-map.filter=hard"], "before": {"set": ["shadow-map.resolution=64"]},
+                "after": {"set": ["shadow-map.resolution=2048"]}, "happens": "H.", "mends": "M.", "look": [{"box": [0.2, 0.4, 0.3, 0.3], "label": "here"}],
+                "expect": [{"quantity": "edgeErrorPx", "before": {"atLeast": 0.1}, "after": {"atMost": 0.02}}]})");
+    }
+    [[nodiscard]] testing::ProgramResult slides(const std::vector<std::string>& words) const {
+        std::vector<std::string> all{"slides", "-o", "out", "--size", "640x360"};
+        all.insert(all.end(), words.begin(), words.end());
+        return run(all, {.environment = {{"SHADOWLAB_ASSETS", (folder.path() / "assets").string()}}});
+    }
+};
+
+TEST_F(SmallCourseTest, ItIsWrittenWhereItIsNamedAndWithAllDecksToExplore) {
+    struct Case {
+        std::vector<std::string> words;
+        bool hasDeck, hasLessons;
+    };
+    for (const auto& [words, hasDeck, hasLessons] : {Case{{"lessons"}, false, true}, Case{{"tiny", "lessons"}, true, true}, Case{{"--explore"}, true, true},
+                                                     Case{{}, true, false}, Case{{"tiny", "--explore"}, true, false}}) {
+        const testing::ProgramResult result = slides(words);
+        ASSERT_EQ(result.status, 0) << result.err;
+        const Listing found = listing();
+        EXPECT_EQ(found.contains("out/tiny.html"), hasDeck) << ::testing::PrintToString(words);
+        EXPECT_EQ(found.contains("out/pictures"), hasDeck) << ::testing::PrintToString(words);
+        EXPECT_EQ(found.contains("out/lessons.html"), hasLessons) << ::testing::PrintToString(words);
+        EXPECT_FALSE(found.contains("out/tiny.unfinished.json"));
+        if (hasLessons) {
+            EXPECT_EQ(sections().size(), 2u);
+        }
+        std::filesystem::remove_all(folder.path() / "out");
+    }
+}
+
+TEST_F(SmallCourseTest, WhenALessonFailsTheDecksStand) {
+    folder.write("assets/lessons/broken.json", R"({"title": "T", "happens": "H.", "mends": "M."})");
+    const testing::ProgramResult result = slides({"--explore"});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_NE(result.err.find("broken.json"), std::string::npos) << result.err;
+    EXPECT_FALSE(listing().contains("out/lessons.html"));
+    std::filesystem::remove(folder.path() / "assets/lessons/broken.json");
+    const testing::ProgramResult again = slides({"--explore"});
+    EXPECT_EQ(again.status, 0) << again.err;
+    EXPECT_NE(again.err.find("1 of 1 slides were there already"), std::string::npos) << again.err;
+    EXPECT_EQ(sections().size(), 2u);
+}
+
 } // namespace
 } // namespace shadowlab
