@@ -11,6 +11,7 @@
 #include "app/cli/command.h"
 #include "app/cli/common_options.h"
 #include "app/cli/explored_deck.h"
+#include "app/cli/lessons_page.h"
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
 #include "app/cli/progress.h"
@@ -37,9 +38,10 @@ namespace {
 
 void describeSlides(DescribedOptions& add) {
     add.arguments("DECK",
-                  "a built-in name (`list decks`) or a .json deck; may be repeated (default: all built-in decks)");
+                  "a built-in name (`list decks`), lessons for the page of all lessons, or a .json deck; may be repeated (default: all "
+                  "built-in decks, with --explore also lessons)");
     add.option("-o,--output", "DIR", "the folder that the slides are written into; it is made where there is none");
-    add.option("--only", "SLIDE", "draws that slide alone, and no page of all; several with commas between them");
+    add.option("--only", "SLIDE", "draws that slide alone, and no page of all; several with commas between them; of lessons, a page of those alone");
     add.option("--size", "WxH", "width and height of the slides in pixels (default 1920x1080; 4K is 3840x2160)");
     add.option("--supersample", "N", "N x N samples for each pixel of a picture, from 1 to 8 (default 2)");
     add.flag("--explore",
@@ -51,16 +53,19 @@ void describeSlides(DescribedOptions& add) {
     add.option("--allow", "DIR", "a further folder that the decks' scenes may take meshes from; may be repeated");
     add.footer(
         "For each deck: DECK-01-NAME.png ..., the same without words as pictures/DECK-01-NAME.png, DECK.html for "
-        "a browser, and DECK.md for pandoc. Interrupted, the same command goes on where it was.\n"
+        "a browser, and DECK.md for pandoc. Interrupted, the same command goes on where it was. The page of lessons is\n"
+        "one file, lessons.html: pictures with a fault, a question, the answer, and the remedy.\n"
         "Examples:\n"
         "  shadowlab slides -o out\n"
         "  shadowlab slides my-deck.json -o out --size 3840x2160\n"
+        "  shadowlab slides lessons -o out\n"
         "  cd out && pandoc shadow-rendering-techniques.md -o lecture.pptx");
 }
 
 SlidesOptions slidesOptions(const GivenOptions& given) {
     SlidesOptions options;
     options.decks = given.texts("DECK");
+    options.allDecks = options.decks.empty();
     options.output = given.required("--output", "shadowlab slides -o DIR");
     options.only = splitAtCommas(given.texts("--only"));
     options.look.size = sizeFrom("--size", given.text("--size", "1920x1080"), "picture-side");
@@ -68,6 +73,7 @@ SlidesOptions slidesOptions(const GivenOptions& given) {
     constexpr double kNarrowest = 1.2, kWidest = 2.5; // shapes that slides are laid out for
     options.explores = given.has("--explore") || given.has("--explore-budget");
     options.exploreBytes = megabytesFrom("--explore-budget", given.text("--explore-budget", "20"));
+    options.lessons = std::erase(options.decks, kLessonsPage) > 0 || (options.allDecks && options.explores && options.only.empty());
     const double aspect = static_cast<double>(options.look.size.x) / options.look.size.y;
     if (options.look.size.y < kLeastHeight || aspect < kNarrowest || aspect > kWidest)
         refuseUsage(
@@ -112,7 +118,7 @@ public:
         const bool were[] = {std::filesystem::exists(folders[0], ignored),
                              std::filesystem::exists(folders[1], ignored)};
         makeFolder(folders[1]);
-        makeFolder(folders[0]);
+        if (!decks_.empty()) makeFolder(folders[0]);
         makePainter();
         countStates();
         progress_.emplace(options_.explores ? "picture" : "slide", total_, Progress::Remaining::told);
@@ -123,9 +129,11 @@ public:
             note("interrupted; the same command goes on from here");
             throw;
         }
+        progress_.reset();
+        if (!lessons_.empty()) writeLessonsPage(options_.output, lessons_); // interrupted, it begins again, and the decks stand
         comeToTheEnd();
         for (const int i : {0, 1}) // a folder that is still empty is removed again
-            if (!were[i] && std::filesystem::is_empty(folders[i], ignored))
+            if (!were[i] && std::filesystem::exists(folders[i], ignored) && std::filesystem::is_empty(folders[i], ignored))
                 std::filesystem::remove(folders[i], ignored);
         return static_cast<int>(worst_);
     }
@@ -133,17 +141,22 @@ public:
 private:
     void openDecks() {
         const scene::LoadOptions loading = loadOptions(options_.allowed);
-        std::vector<std::string> names = options_.decks;
-        if (names.empty()) names = course::builtInDecks(loading.assetsRoot);
+        const std::vector<std::string> names = options_.allDecks ? course::builtInDecks(loading.assetsRoot) : options_.decks;
+        if (options_.lessons) lessons_ = lessonNames();
         for (const std::string& name : names) {
             Deck deck(name, loading);
             image::keepInput(deck.file());
             if (std::ranges::find(decks_, deck.name(), &Deck::name) != decks_.end())
                 throw Error(ExitStatus::usage, "two of the decks are called '" + scene::shown(deck.name()) +
                                                    "', and so would be their slides; draw them into two folders");
+            if (options_.lessons && deck.name() == kLessonsPage)
+                throw Error(ExitStatus::usage, scene::shownPath(deck.file()) + ": its page would be lessons.html, as that of all lessons; write them "
+                                                                               "into two folders");
             decks_.push_back(std::move(deck));
         }
         checkOnly();
+        std::erase_if(lessons_, [this](const std::string& lesson) { return !isWanted(lesson); });
+        if (!lessons_.empty()) image::requireNoInput(options_.output / (std::string(kLessonsPage) + ".html"));
         for (const Deck& deck : decks_) {
             for (std::size_t i = 0; i < deck.slides().size(); ++i)
                 image::requireNoInput(options_.output / (deck.name() + "-" + numbered(deck, i) + ".png"));
@@ -213,10 +226,12 @@ private:
         std::vector<std::string> known;
         for (const Deck& deck : decks_)
             known.insert(known.end(), deck.slides().begin(), deck.slides().end());
-        for (const std::string& slide : options_.only)
-            if (std::ranges::find(known, slide) == known.end())
+        known.insert(known.end(), lessons_.begin(), lessons_.end());
+        const std::string what = lessons_.empty() ? "slide" : decks_.empty() ? "lesson" : "slide or lesson";
+        for (const std::string& name : options_.only)
+            if (std::ranges::find(known, name) == known.end())
                 throw Error(ExitStatus::usage,
-                            "--only: no slide is called '" + scene::shown(slide) + "'; " + suggestion(slide, known));
+                            "--only: no " + what + " is called '" + scene::shown(name) + "'; " + suggestion(name, known));
     }
 
     void draw(Deck& deck) {
@@ -322,6 +337,7 @@ private:
 
     const SlidesOptions& options_;
     std::vector<Deck> decks_;
+    std::vector<std::string> lessons_; ///< names of those that are in the page of lessons
     std::string madeBy_; ///< what all slides have in common
     std::unique_ptr<context::Context> context_;
     std::unique_ptr<course::SlidePainter> painter_;

@@ -12,8 +12,10 @@
 namespace shadowlab::cli {
 
 struct SlidesOptions {
-    std::vector<std::string> decks; ///< names or files; empty: all that are built in
-    std::vector<std::string> only;  ///< names of slides; empty: all
+    std::vector<std::string> decks; ///< names or files
+    bool allDecks = false;          ///< that are built in, in place of `decks`
+    bool lessons = false;           ///< the page of lessons
+    std::vector<std::string> only;  ///< names of slides and lessons; empty: all
     std::filesystem::path output;   ///< a folder
     course::SlideLook look;
     bool explores = false;               ///< slides with "explore" become labs in the page

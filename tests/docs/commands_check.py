@@ -107,6 +107,10 @@ def complaints_about(command, names, files):
     inputs += [(name[2:] + "s", value) for name, value in options if name in ("--lesson", "--deck")]
     inputs += [("files", value) for name, value in options if name == "--path"]
     for kind, word in inputs:
+        if subcommand == "slides" and word == "lessons":  # the page of lessons, of which --only names some
+            wanted = [lesson for name, value in options if name == "--only" for lesson in value.split(",")]
+            yield from (f"no lesson is called {lesson}" for lesson in wanted if lesson not in names.inputs["lessons"])
+            continue
         if kind == "decks" and word in names.inputs[kind]:
             slides = (ROOT / f"assets/decks/{word}.json").read_text(encoding="utf-8")
             yield from (f"the deck {word} has no slide {value}" for name, value in options

@@ -27,6 +27,8 @@ WRONG = [
     ("acme is none of the lessons", "    build/release/shadowlab demo --lesson acme"),
     ("shadow is none of the decks", "    build/release/shadowlab demo --deck shadow"),
     ("the deck shadows has no slide silhouette", "    build/release/shadowlab slides shadows -o out --only silhouette"),
+    ("no lesson is called acme", "    build/release/shadowlab slides lessons -o out --only acne,acme"),
+    ("lessons is none of the decks", "    build/release/shadowlab demo --deck lessons"),
     ("the deck shadows has no slide acne", "    build/release/shadowlab demo --deck shadows --slide acne"),
     ("walk.json is none of the files", "    build/release/shadowlab capture still-life --path walk.json -o a_####.png"),
     ("no stage stencil of planar", "<!-- picture a: still-life -t planar --stage stencil -->"),

@@ -25,6 +25,7 @@ struct LessonText {
     std::string chapter; ///< of the course; empty: none
     std::string happens; ///< what is wrong, and why
     std::string remedy;  ///< what removes it
+    std::vector<std::string> alike{}; ///< names of lessons whose titles would be true of this one's artefact, too
 };
 
 /// Where to look: a box in shares of the picture's width and height from its upper left corner.

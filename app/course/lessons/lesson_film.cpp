@@ -8,6 +8,7 @@
 
 #include "app/course/lessons/lesson_drawing.h"
 #include "app/course/lessons/lesson_figure.h"
+#include "app/course/lessons/lesson_motion.h"
 #include "app/course/state_picture.h"
 #include "app/picture/session.h"
 #include "techniques/foundation/base/error.h"
@@ -162,21 +163,10 @@ image::Image drawShot(const Lesson& lesson, LessonShot shot, const ShownState& s
 /// All frames of the motion but the first, which was shown already, and back again to it.
 void addMotion(const Lesson& lesson, LessonShot shot, const Page& page, ivec2 size, const image::Font& font,
                film::Film& film) {
-    const ShownState atRest = stateOf(lesson, shot);
     const Words words = wordsOf(lesson, shot);
-    scene::Scene base = *atRest.scene;
-    base.camera = atRest.camera;
     std::vector<image::Image> pages;
-    scene::Snapshot previous = std::make_shared<const scene::Scene>(std::move(base));
-    const scene::Snapshot first = previous;
-    for (int frame = 0; frame < lesson.motion.frames; ++frame) {
-        const film::Moment moment = film::momentAt(lesson.motion, first, frame, previous);
-        previous = moment.snapshot;
-        ShownState state = atRest;
-        state.scene = moment.snapshot;
-        state.camera = moment.camera;
+    for (const ShownState& state : statesInMotion(stateOf(lesson, shot), lesson.motion))
         pages.push_back(page.with(drawShot(lesson, shot, state, page, size, font), words));
-    }
     const int last = lesson.motion.frames - 1;
     for (int i = 1; i <= 2 * last * kTimesToAndFro; ++i) {
         const int phase = i % (2 * last);

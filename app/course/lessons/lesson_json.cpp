@@ -28,15 +28,19 @@ public:
         : file_(file), document_(text, file, picture::limits().jsonDepth, "a lesson, starting with {"),
           top_(document_, document_.root(), "the lesson",
                {"title", "chapter", "order", "scene", "camera", "lights", "motion", "layout", "light", "slots", "set", "size",
-                "before", "after", "happens", "mends", "look", "expect", "question"}) {}
+                "before", "after", "happens", "mends", "look", "expect", "question", "alike"}) {}
 
     [[nodiscard]] LessonText words() const {
+        std::vector<std::string> alike;
+        for (const auto& [name, offset] : texts(top_, "alike"))
+            alike.push_back(name);
         return {.name = file_.stem().string(),
                 .file = file_,
                 .title = shortText(top_, "title", kLongestTitle),
                 .chapter = top_.find("chapter") ? shortText(top_, "chapter", kLongestLabel) : std::string(),
                 .happens = shortText(top_, "happens", kLongestSentence),
-                .remedy = shortText(top_, "mends", kLongestSentence)};
+                .remedy = shortText(top_, "mends", kLongestSentence),
+                .alike = std::move(alike)};
     }
     [[nodiscard]] int order() const { return top_.integer("order", 0, 1000, 1000); }
 
