@@ -12,6 +12,7 @@
 
 #include "app/course/explore/explored_numbers.h"
 #include "app/course/explore/explored_parts.h"
+#include "app/course/explore/explored_variants.h"
 #include "app/course/explore/lamp_track.h"
 #include "app/drawing/prose.h"
 #include "app/judge/metrics/frame_times.h"
@@ -28,14 +29,6 @@ namespace shadowlab::course {
 namespace {
 
 using Json = nlohmann::json;
-
-/// A parameter with its values, the slide's own among them.
-struct Knob {
-    const ExploredSetting& setting;
-    std::string label;
-    std::vector<std::string> values;
-    int start = 0;
-};
 
 /// One technique with one value of a setting: what is drawn at every position of the lamp.
 struct Variant {
@@ -58,9 +51,12 @@ public:
         : slide_(slide), explore_(explore), request_(request), font_(font), bold_(bold), times_(times),
           state_(slide.pictures.front().state), panes_(panesOf(slide, explore)),
           motion_(motionOf(explore, state_.scene->lights.empty() ? 1 : request.size.lampPositions)),
-          light_(picture::stageLight(*state_.scene, state_.light)), session_(state_.scene) {
-        findKnobs();
-        makeVariants();
+          light_(picture::stageLight(*state_.scene, state_.light)), session_(state_.scene), settings_(variantsOf(panes_, explore)) {
+        for (const std::vector<lab::PaneState>& ofPane : settings_.drawn) {
+            std::vector<Variant>& variants = variants_.emplace_back();
+            for (const lab::PaneState& drawn : ofPane)
+                variants.push_back({std::move(slotsOf({drawn}).front()), {}, {}});
+        }
     }
 
     ExploredSlide draw() {
@@ -92,57 +88,6 @@ public:
     }
 
 private:
-    void findKnobs() {
-        for (const ExploredSetting& setting : explore_.settings) {
-            Knob knob{setting, "", setting.values, 0};
-            for (const ExploredPane& pane : panes_) {
-                if (pane.state.technique != setting.technique) continue;
-                picture::Slot slot = std::move(slotsOf({pane.state}).front());
-                const params::Param& param = params::find(slot.params, setting.param, setting.technique);
-                knob.label = params::labelOf(param) + (param.unit.empty() ? "" : ", " + param.unit);
-                const std::string own = params::valueText(param);
-                const auto found = std::ranges::find(knob.values, own);
-                knob.start = static_cast<int>(found - knob.values.begin());
-                if (found == knob.values.end()) knob.values.push_back(own);
-                break;
-            }
-            knobs_.push_back(std::move(knob));
-        }
-    }
-
-    /// First the slide's own settings, then for each knob its other values.
-    void makeVariants() {
-        variants_.resize(panes_.size());
-        std::vector<int> start;
-        for (const Knob& knob : knobs_)
-            start.push_back(knob.start);
-        combinations_.push_back(start);
-        for (std::size_t pane = 0; pane < panes_.size(); ++pane) {
-            addVariant(pane, panes_[pane].state);
-            places_.push_back({0});
-        }
-        for (std::size_t k = 0; k < knobs_.size(); ++k)
-            for (int value = 0; value < static_cast<int>(knobs_[k].values.size()); ++value) {
-                if (value == knobs_[k].start) continue;
-                combinations_.push_back(start);
-                combinations_.back()[k] = value;
-                for (std::size_t pane = 0; pane < panes_.size(); ++pane) {
-                    const ExploredSetting& setting = knobs_[k].setting;
-                    if (panes_[pane].state.technique != setting.technique) {
-                        places_[pane].push_back(0);
-                        continue;
-                    }
-                    lab::PaneState state = panes_[pane].state;
-                    state.settings[setting.technique][setting.param] = knobs_[k].values[static_cast<std::size_t>(value)];
-                    places_[pane].push_back(static_cast<int>(variants_[pane].size()));
-                    addVariant(pane, state);
-                }
-            }
-    }
-    void addVariant(std::size_t pane, const lab::PaneState& state) {
-        variants_[pane].push_back({std::move(slotsOf({state}).front()), {}, {}});
-    }
-
     [[nodiscard]] View view() const {
         View view;
         view.camera = state_.camera;
@@ -322,8 +267,8 @@ private:
     Json statesJson() {
         Json states = Json::array();
         for (std::size_t pane = 0; pane < panes_.size(); ++pane)
-            for (std::size_t combination = 0; combination < combinations_.size(); ++combination) {
-                const auto own = static_cast<std::size_t>(places_[pane][combination]);
+            for (std::size_t combination = 0; combination < settings_.combinations.size(); ++combination) {
+                const auto own = static_cast<std::size_t>(settings_.places[pane][combination]);
                 const double ms = request_.lampPositionsToDraw == 0 ? frameMs(pane, own) : 0;
                 for (Json state : variants_[pane][own].states) {
                     state["pane"] = pane;
@@ -347,14 +292,13 @@ private:
         Json sheets = Json::array(), settings = Json::array();
         for (const PicturePack::Sheet& sheet : pack_.sheets())
             sheets.push_back({sheet.piece.offset, sheet.piece.length, sheet.firstTile, sheet.count, sheet.columns, "webp"});
-        for (const Knob& knob : knobs_)
-            settings.push_back({{"id", knob.setting.technique + "." + knob.setting.param}, {"label", knob.label},
-                                {"values", knob.values}, {"start", knob.start}});
+        for (const Knob& knob : settings_.knobs)
+            settings.push_back({{"id", knob.id}, {"label", knob.label}, {"values", knob.values}, {"start", knob.start}});
         const double aspect = static_cast<double>(request_.size.picture.x) / request_.size.picture.y;
         const Json all{{"width", request_.size.picture.x}, {"height", request_.size.picture.y}, {"tile", kTileSide},
                        {"sheets", std::move(sheets)}, {"maps", pack_.maps()}, {"panes", panesJson()},
                        {"lamp", motion_.frames > 1 ? lampTrack(motion_, state_.scene, state_.camera, aspect, light_) : Json()},
-                       {"settings", std::move(settings)}, {"variants", combinations_}, {"states", statesJson()},
+                       {"settings", std::move(settings)}, {"variants", settings_.combinations}, {"states", statesJson()},
                        {"machine", request_.machine}, {"verdictColors", verdictColors_}, {"truthColors", truthColors_}, {"views", views_}, {"steps", steps_}, {"ask", ask_}, {"task", taskJson()}};
         return all.dump(-1, ' ', false, Json::error_handler_t::replace);
     }
@@ -372,10 +316,8 @@ private:
     int light_;
     picture::Session session_;
     picture::PictureEncoder encoder_;
-    std::vector<Knob> knobs_;
-    std::vector<std::vector<int>> combinations_; ///< of values, one for each knob
+    ExploredVariants settings_;
     std::vector<std::vector<Variant>> variants_; ///< of each pane
-    std::vector<std::vector<int>> places_;       ///< of each pane: which of its variants a combination is
     PicturePack pack_;
     Json verdictColors_ = Json::array(), truthColors_ = Json::array(), views_ = Json::array(), steps_ = Json::array(), ask_;
     std::map<std::string, dvec2> ranges_; ///< of stages whose colours stand for numbers
