@@ -62,10 +62,10 @@ def mend(check):
     check.ask("LESSON.querySelector('button.main').focus()")
     browser.press("Enter")
     browser.wait("document.activeElement.type === 'range'", "the line between before and after")
-    browser.press("ArrowRight")  # ends the line's own movement
+    browser.press("ArrowLeft")  # ends the line's own movement
     before = float(check.ask(SPLIT))
-    browser.press("ArrowRight")
-    check.that("a key moves the line", float(check.ask(SPLIT)) > before)
+    browser.press("ArrowLeft")
+    check.that("a key moves the line", float(check.ask(SPLIT)) < before)
     for finger, size in ((False, WIDE), (True, PHONE)):
         browser.window(*size, finger)
         left, top, width, height = check.ask(BOX)
