@@ -42,6 +42,9 @@ std::string ExploredDeck::elementsOf(const course::Slide& slide, const std::func
     const course::FittedSlide fitted = course::fittedSlide(slide, *slide.explore, request, share, font_, bold_, times_);
     if (!fitted.lessThanAsked.empty())
         note("slide '" + slide.name + "': " + fitted.lessThanAsked + ", to stay within its share of --explore-budget");
+    if (slide.explore->task && fitted.explored.solvedStates == 0)
+        note("slide '" + slide.name + "': nowhere on the lamp's track, and with none of the settings, its task is solved: " +
+             slide.explore->task->number + " is never " + slide.explore->task->bound.text());
     countStanding(course::pageBytes(fitted.explored));
     writeTimes();
     return course::exploreElements(slide.name, fitted.explored);

@@ -26,14 +26,9 @@
       this.built = true;
     }
 
-    /// Settings that the slide has changed belong to the name of a pane; not those that are changed here.
+    /// Settings that the slide has changed belong to the name of a pane.
     nameSettings() {
-      const { panes, settings } = this.data;
-      for (const pane of panes) {
-        const changing = settings.map(setting => setting.label + ' ' + setting.values[setting.start]);
-        const fixed = changing.reduce((text, one) => text.replace(one, ''), pane.settings || '').replace(/^(, )+|(, )+$/g, '').replace(/(, ){2,}/g, ', ');
-        if (fixed) pane.title += ' (' + fixed + ')';
-      }
+      for (const pane of this.data.panes) if (pane.settings) pane.title += ' (' + pane.settings + ')';
     }
 
     build() {
@@ -42,15 +37,23 @@
       this.views = new explore.Views(data, name, view => this.change({ view, step: null }));
       this.numbers = new explore.Numbers(data.panes, data.machine);
       this.status = element('p', { className: 'spoken', role: 'status' });
-      const column = this.column = element('div', { className: 'column' }, this.numbers.element);
-      if (data.lamp && data.lamp.positions.length > 1) {
-        this.lamp = new explore.Lamp(data.lamp, this.stage.picture, lamp => this.change({ lamp }));
-        if (still) this.lamp.player.remove();
-        column.append(this.lamp.element);
+      const column = this.column = element('div', { className: 'column' });
+      if (data.task) {
+        const heading = document.querySelector('h1');
+        this.task = new explore.Task(data.task, data.panes[data.task.pane].title, 'shadowlab: ' + (heading ? heading.textContent : '') + ': ' + name,
+          pane => this.stateOf(pane).numbers, text => this.say(text));
+        column.append(this.task.element);
       }
       if (data.settings.length) {
         this.settings = new explore.Settings(data, name, variant => this.change({ variant }));
         column.append(this.settings.element);
+      }
+      column.append(this.numbers.element);
+      if (data.lightNote) this.numbers.element.append(element('p', { className: 'note', textContent: data.lightNote }));
+      if (data.lamp && data.lamp.positions.length > 1) {
+        this.lamp = new explore.Lamp(data.lamp, this.stage.picture, lamp => this.change({ lamp }));
+        if (still) this.lamp.player.remove();
+        column.append(this.lamp.element);
       }
       if (data.steps.length) {
         this.steps = new explore.Steps(data, name, step => this.change({ step }));
@@ -61,12 +64,8 @@
           paneAt: x => this.stage.paneAt(x), lampAt: () => this.now.lamp, show: () => this.bringBack(), say: text => this.say(text) });
         column.append(this.ask.element);
       }
-      if (data.task) {
-        const heading = document.querySelector('h1');
-        this.task = new explore.Task(data.task, data.panes[data.task.pane].title, 'shadowlab: ' + (heading ? heading.textContent : '') + ': ' + name,
-          pane => this.stateOf(pane).numbers, text => this.say(text));
-        column.append(this.task.element);
-      }
+      const told = this.section.querySelector('.told'); // in a wide window the slide's words stand here; on a phone below
+      if (told) column.append(element('div', { className: 'group words' }, ...told.cloneNode(true).childNodes));
       column.append(element('p', { className: 'note keys-note',
         textContent: 'In here the arrow keys belong to what is chosen. Esc gives them back to the slides.' }));
       root.style.setProperty('--aspect', data.width / data.height);
@@ -107,11 +106,15 @@
       const all = this.data.lamp ? this.data.lamp.positions.map((position, i) => i) : [0], single = this.single(state);
       const some = state.asking ? this.ask.places : single ? single.at.map(([lamp]) => lamp).sort((a, b) => a - b) : all;
       const what = state.asking ? 'Answers are given' : state.step ? 'Steps are shown' : 'This view is shown';
-      if (!some.length || some.length === all.length) return [all, ''];
-      return [some, what + ' at ' + some.length + (some.length === 1 ? ' place' : ' places') + ' of the lamp.'];
+      const own = this.kept && this.kept.variant ? what + ' with the slide\'s own setting; yours comes back after them.' : '';
+      if (!some.length || some.length === all.length) return [all, own];
+      return [some, what + ' at ' + some.length + (some.length === 1 ? ' place' : ' places') + ' of the lamp. ' + own];
     }
 
-    /// Changes what is chosen. Stages, steps and answers exist for the first variant only, so one choice may undo another.
+    /// Stages, steps and answers exist for the first variant only, and at some places of the lamp.
+    isLimited(state) { return Boolean(state.step || state.asking || this.views.stage(state.view)) }
+
+    /// Changes what is chosen. One choice may undo another; setting and place of the lamp come back when stages, steps or answers are left.
     change(wanted) {
       const before = this.now, next = { ...before, ...wanted };
       if (wanted.step) next.asking = false;
@@ -122,8 +125,16 @@
         next.asking = false;
         if (this.views.stage(next.view)) next.view = 'picture';
       } else if (next.step || next.asking || this.views.stage(next.view)) next.variant = 0;
+      const limited = this.isLimited(next), entered = limited && !this.isLimited(before);
+      if (entered) this.kept = { lamp: before.lamp, variant: before.variant };
+      else if (!limited && this.kept) {
+        if (!('variant' in wanted)) next.variant = this.kept.variant;
+        if (next.lamp === this.snapped) next.lamp = this.kept.lamp;
+        this.kept = null;
+      }
       const [places, why] = this.places(next);
       if (this.lamp && !places.includes(next.lamp)) next.lamp = this.lamp.nearest(next.lamp, places);
+      if (entered) this.snapped = next.lamp;
       this.now = next;
       if (this.settings) this.notes.push(...this.settings.putBack(before.variant, next.variant));
       if (wanted.step) this.notes.push(this.steps.words(next.step) + '.');

@@ -37,7 +37,7 @@
       const shown = step || this.stage(view);
       if (shown) this.foot.replaceChildren(...swatches(shown.legend), ...scaleOf(shown.scale), ...paragraphs(shown.caption, shown.note));
       else if (view === 'errors') this.foot.replaceChildren(...swatches(this.data.verdictColors),
-        ...paragraphs(...missing.map(title => title + ' tells no visibility here, so its errors are not known.')));
+        ...paragraphs(this.data.verdictNote, ...missing.map(title => title + ' tells no visibility here, so its errors are not known.')));
       else if (view === 'truth') this.foot.replaceChildren(...swatches(this.data.truthColors),
         ...paragraphs('What is lit and what is in shadow, from exact geometry.'));
       else this.foot.replaceChildren();
@@ -49,7 +49,7 @@
     constructor(data, name, choose) {
       this.data = data;
       this.controls = data.settings.map((setting, i) => {
-        const options = setting.values.map((label, value) => ({ value, label, disabled: this.variantOf(i, value) < 0 }));
+        const options = (setting.labels || setting.values).map((label, value) => ({ value, label, disabled: this.variantOf(i, value) < 0 }));
         const chosen = value => choose(this.variantOf(i, Number(value)));
         return setting.values.length > MOST_RADIOS ? explore.select(setting.label, options, chosen)
           : explore.radios(setting.label, 'setting-' + i + '-' + name, options, chosen);
@@ -68,7 +68,7 @@
     putBack(from, to) {
       const { settings, variants } = this.data;
       return settings.filter((setting, i) => variants[from][i] !== setting.start && variants[to][i] === setting.start)
-        .map(setting => setting.label + ' is back at ' + setting.values[setting.start] + '.');
+        .map(setting => setting.label + ' is back at ' + (setting.labels || setting.values)[setting.start] + '.');
     }
 
     set(variant) { this.controls.forEach((control, i) => control.set(this.data.variants[variant][i])) }

@@ -25,10 +25,16 @@
       const has = NUMBERS.map(number => numbers.some(each => known(numberOf(each, number.id))));
       NUMBERS.forEach((number, i) => {
         this.rows[i].hidden = !has[i];
-        this.cells[i].forEach((cell, pane) => { cell.textContent = numberWords(numberOf(numbers[pane], number.id), number.unit) });
+        this.cells[i].forEach((cell, pane) => { cell.textContent = this.text(numbers[pane], number) });
       });
       this.table.hidden = !has.includes(true);
       this.none.hidden = has.includes(true);
+    }
+
+    /// Where nothing is lit, or nothing in shadow, there is no edge to be wrong about.
+    text(numbers, number) {
+      const value = numberOf(numbers, number.id);
+      return number.id === 'edgeErrorPx' && !known(value) && known(numberOf(numbers, 'compared')) ? 'no edge' : numberWords(value, number.unit);
     }
 
     words(numbers) {
@@ -51,7 +57,7 @@
       this.say = say;
       this.answer = element('p', { className: 'answer', hidden: true });
       this.solved = element('p', { className: 'solved', textContent: 'You have solved this.', hidden: !this.recall() });
-      this.element = explore.group('task-group', 'Task', element('p', { className: 'question', textContent: task.question }),
+      this.element = explore.group('task-group', 'Task', explore.marked(element('p', { className: 'question' }), task.question),
         explore.button('Check this place', () => this.check()), this.answer, this.solved);
     }
 
@@ -68,7 +74,7 @@
         .filter(Boolean).join(' and ');
       const here = name + ' of ' + this.title + ' here: ' + numberWords(value, unit) + '.';
       const praise = [/^right\b/i.test(told) ? '' : 'Right.', told, here].filter(Boolean).join(' ');
-      this.answer.textContent = right ? praise : 'Not yet. ' + here + ' Asked: ' + asked + '.';
+      if (right) explore.marked(this.answer, praise); else this.answer.textContent = 'Not yet. ' + here + ' Asked: ' + asked + '.';
       this.answer.classList.toggle('right', right);
       this.answer.hidden = false;
       if (right) {

@@ -90,8 +90,8 @@
         await Promise.all([...held.values()].map(sheet => sheet.ready));
         const canvas = explore.element('canvas', { width, height }), context = canvas.getContext('2d');
         for (const each of tiles) {
-          const [, , first, , columns] = sheets[each.sheet], place = each.id - first;
-          context.drawImage(held.get(each.sheet).bitmap, place % columns * tile, Math.floor(place / columns) * tile, tile, tile, each.x, each.y, tile, tile);
+          const [, , first, , columns, , border] = sheets[each.sheet], place = each.id - first, cell = tile + 2 * border;
+          context.drawImage(held.get(each.sheet).bitmap, place % columns * cell + border, Math.floor(place / columns) * cell + border, tile, tile, each.x, each.y, tile, tile);
         }
         return canvas;
       } finally {

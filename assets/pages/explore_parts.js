@@ -21,6 +21,9 @@
 
   const element = explore.element;
 
+  /// A text of the deck's as the program has written it: letters that mean something are escaped, and formulas are MathML.
+  explore.marked = (target, markup) => { target.innerHTML = markup; return target };
+
   /// A group with a heading. Its name is read out with what is in it.
   explore.group = (className, heading, ...children) =>
     element('div', { className: 'group ' + className, role: 'group', 'aria-label': heading }, element('h3', { textContent: heading }), ...children);

@@ -70,7 +70,7 @@
       const steps = this.stepsOf[this.pane];
       this.begin.hidden = Boolean(place);
       this.bar.hidden = this.why.hidden = this.formulas.hidden = this.codeGroup.hidden = !place;
-      this.title.textContent = place ? this.words(place) + '.' : steps.length + ' steps of ' + this.panes[this.pane].title + '.';
+      this.title.textContent = place ? this.words(place) + '.' : steps.length + (steps.length === 1 ? ' step of ' : ' steps of ') + this.panes[this.pane].title + '.';
       if (!place) return;
       this.previous.setAttribute('aria-disabled', place.index === 0); // not disabled: the focus would be lost
       this.next.setAttribute('aria-disabled', place.index === steps.length - 1);

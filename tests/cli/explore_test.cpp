@@ -61,12 +61,12 @@ struct ExploredPage {
         for (std::size_t place = 0; place < ids.size(); ++place) {
             if (ids[place] < 0) continue;
             for (const Json& sheet : data["sheets"]) {
-                const int first = sheet[2], count = sheet[3], columns = sheet[4];
+                const int first = sheet[2], count = sheet[3], columns = sheet[4], border = sheet[6], cell = side + 2 * border;
                 if (ids[place] < first || ids[place] >= first + count) continue;
                 const image::Image decoded = decodedWebp(sheetBytes(sheet));
                 image::Image tile(side, side);
                 const int number = ids[place] - first;
-                image::blit(tile, -(number % columns) * side, -(number / columns) * side, decoded);
+                image::blit(tile, -(number % columns) * cell - border, -(number / columns) * cell - border, decoded);
                 image::blit(whole, static_cast<int>(place) % across * side, static_cast<int>(place) / across * side, tile);
             }
         }
@@ -162,7 +162,7 @@ TEST_F(ExploreTest, PicturesAreThoseOfCaptureByteByByte) {
                 if (const auto found = std::ranges::find(ids, id); found != ids.end()) places.push_back(static_cast<int>(found - ids.begin()));
             if (static_cast<int>(places.size()) != count) continue; // another state has drawn it
             const std::vector<std::uint8_t> expected =
-                image::encodeWebp(course::sheetOf(capture, places, sheet[4]), image::WebpKind::photo);
+                image::encodeWebp(course::sheetOf(capture, places, sheet[4], sheet[6]), image::WebpKind::photo);
             EXPECT_EQ(page.sheetBytes(sheet), std::string(expected.begin(), expected.end())) << state;
             ++sheets;
         }
@@ -298,6 +298,8 @@ TEST_F(ExploreTest, WhatADeckMayNotSayNamesItsPlace) {
              BadExplore{R"({"task": {"question": "Where?", "number": "coreErrors"}})", "at-least"},
              BadExplore{R"({"task": {"question": "Where?", "number": "errors", "at-least": 1}})", "coreErrors"},
              BadExplore{R"({"task": {"question": "Where $?", "number": "coreErrors", "at-least": 1}})", "$"},
+             BadExplore{R"({"task": {"question": "Where?", "number": "coreErrors", "at-least": 10, "at-most": 5}})", "at-most"},
+             BadExplore{R"({"errors": false, "task": {"question": "Where?", "number": "coreErrors", "at-least": 1}})", "errors"},
              BadExplore{R"("yes")", "explore"},
          }) {
         folder.write("deck.json", deck(explore));

@@ -42,16 +42,17 @@ ExploredSetting setting(const scene::JsonDocument& document, const scene::JsonMe
         document.fail(offset, scene::inQuotes(member.key) + " takes a list of 2 to " + std::to_string(kMostValues) +
                                   " values; write for example [64, 256, 1024]");
     picture::Slot slot = saidAt(document, offset, [&] { return picture::Session::makeSlot(setting.technique); });
-    for (const JsonValue& value : member.value.items)
-        saidAt(document, value.offset, [&] {
+    for (const JsonValue& value : member.value.items) {
+        const std::string written = valueText(document, value);
+        const std::string text = saidAt(document, value.offset, [&] {
             params::Param& param = params::find(slot.params, setting.param, setting.technique);
-            params::setFromText(param, valueText(document, value), setting.technique);
-            const std::string text = params::valueText(param);
-            if (std::ranges::find(setting.values, text) != setting.values.end())
-                document.fail(value.offset, "stands in the list twice; leave it out");
-            setting.values.push_back(text);
-            return 0;
+            params::setFromText(param, written, setting.technique);
+            return params::valueText(param);
         });
+        if (std::ranges::find(setting.values, text) != setting.values.end())
+            document.fail(value.offset, "the value " + text + " stands in the list twice; leave it out");
+        setting.values.push_back(text);
+    }
     return setting;
 }
 
@@ -72,6 +73,8 @@ ExploreTask task(const JsonObject& explore) {
     if (own.find("at-most")) task.bound.atMost = own.number("at-most", Range::atLeast(0, 1e9));
     if (!task.bound.atLeast && !task.bound.atMost)
         own.fail("number", R"(needs a bound by which an answer is right; write "at-least" or "at-most")");
+    if (task.bound.atLeast && task.bound.atMost && *task.bound.atLeast > *task.bound.atMost)
+        own.fail("at-most", R"(is less than "at-least", so no number is right; write a larger one)");
     return task;
 }
 
@@ -102,6 +105,8 @@ std::optional<Explore> readExplore(const JsonObject& top) {
             explore.settings.push_back(setting(top.document(), member));
     }
     if (own.find("task")) explore.task = task(own);
+    if (explore.task && !explore.errors && explore.task->number != "frameMs")
+        own.fail("task", R"(is about errors, and "errors" is false; leave that out)");
     return explore;
 }
 

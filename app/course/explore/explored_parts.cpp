@@ -24,6 +24,8 @@ using Json = nlohmann::json;
 
 bool hasScale(const picture::Panel& panel) { return panel.kind == StageKind::scalar || panel.kind == StageKind::count; }
 
+constexpr std::size_t kLongestFact = 2000; ///< characters; names out of a file could be of any length
+
 std::vector<std::uint8_t> deflated(const std::string& text) {
     std::vector<std::uint8_t> bytes(compressBound(static_cast<uLong>(text.size())));
     uLongf length = static_cast<uLongf>(bytes.size());
@@ -80,9 +82,9 @@ std::vector<std::uint8_t> answerOf(picture::Slot& slot, const scene::Snapshot& s
     const picture::PixelVerdict verdict = picture::pixelVerdict(probe);
     Json facts = Json::array();
     for (const std::string& sum : verdict.sums)
-        facts.push_back({"", scene::shown(sum)});
+        facts.push_back({"", scene::shown(sum, kLongestFact)});
     for (const Probe::Fact& fact : probe.facts)
-        facts.push_back({fact.label, scene::shown(fact.value) + (fact.unit.empty() ? "" : " " + fact.unit)});
+        facts.push_back({fact.label, scene::shown(fact.value, kLongestFact) + (fact.unit.empty() ? "" : " " + fact.unit)});
     std::string figure;
     try {
         figure = figures::findFigure("pixel").draw({probe, slot.info->id, *snapshot, view, light, font, bold}).document();
@@ -90,7 +92,7 @@ std::vector<std::uint8_t> answerOf(picture::Slot& slot, const scene::Snapshot& s
         if (error.status() == ExitStatus::bug) throw;
         // The pixel shows no surface, or what it shows has nothing to draw: the verdict says so.
     }
-    const Json answer{{"verdict", scene::shown(verdict.sentence)}, {"facts", std::move(facts)}, {"figure", figure}};
+    const Json answer{{"verdict", scene::shown(verdict.sentence, kLongestFact)}, {"facts", std::move(facts)}, {"figure", figure}};
     return deflated(answer.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

@@ -84,7 +84,8 @@ public:
                 }
             if (!isTrial && isOneOf(request_.size.askPositions, frame)) ask(frame);
         }
-        return {json(), pack_.bytes(), stateBytes};
+        const Json states = statesJson();
+        return {json(states), pack_.bytes(), stateBytes, solvedStates(states)};
     }
 
 private:
@@ -249,6 +250,9 @@ private:
         return found->second;
     }
 
+    /// Does the lab change that parameter?
+    [[nodiscard]] bool isTried(const std::string& id) const { return std::ranges::find(settings_.knobs, id, &Knob::id) != settings_.knobs.end(); }
+
     Json panesJson() const {
         Json panes = Json::array();
         for (std::size_t i = 0; i < panes_.size(); ++i) {
@@ -258,7 +262,8 @@ private:
                 lines.push_back(line.text);
             std::string settings;
             for (const params::Param& param : slot.params)
-                if (params::isChanged(param)) settings += (settings.empty() ? "" : ", ") + params::labelOf(param) + " " + params::valueText(param);
+                if (params::isChanged(param) && !isTried(std::string(slot.info->id) + "." + param.id))
+                    settings += (settings.empty() ? "" : ", ") + params::labelOf(param) + " " + valueWords(params::valueText(param), param);
             panes.push_back({{"technique", slot.info->id}, {"title", slot.info->title}, {"settings", settings}, {"pseudocode", std::move(lines)}});
         }
         return panes;
@@ -280,26 +285,47 @@ private:
         return states;
     }
 
+    /// Whose shadows are judged and asked about, where there are several lights.
+    [[nodiscard]] std::string lightNote() const {
+        const std::size_t lights = state_.scene->lights.size();
+        if (lights < 2) return "";
+        return "All " + std::to_string(lights) + " lights turn together. Errors, truth and answers are about the light '" +
+               state_.scene->light(light_).name + "'.";
+    }
+
+    /// At how many places of the lamp, with whatever setting, the task is solved.
+    [[nodiscard]] int solvedStates(const Json& states) const {
+        if (!explore_.task) return 0;
+        return static_cast<int>(std::ranges::count_if(states, [&](const Json& state) {
+            const Json& numbers = state["numbers"];
+            return state["pane"] == explore_.task->pane && numbers.contains(explore_.task->number) &&
+                   explore_.task->bound.holds(numbers[explore_.task->number].get<double>());
+        }));
+    }
+
     Json taskJson() const {
         if (!explore_.task) return {};
         const ExploreTask& task = *explore_.task;
-        return {{"question", drawing::plainProse(task.question)}, {"told", drawing::plainProse(task.told)}, {"pane", task.pane}, {"number", task.number},
+        return {{"question", drawing::proseMarkup(task.question)}, {"told", drawing::proseMarkup(task.told)}, {"pane", task.pane}, {"number", task.number},
                 {"atLeast", task.bound.atLeast ? Json(*task.bound.atLeast) : Json()},
                 {"atMost", task.bound.atMost ? Json(*task.bound.atMost) : Json()}};
     }
 
-    std::string json() {
+    std::string json(const Json& states) {
         Json sheets = Json::array(), settings = Json::array();
         for (const PicturePack::Sheet& sheet : pack_.sheets())
-            sheets.push_back({sheet.piece.offset, sheet.piece.length, sheet.firstTile, sheet.count, sheet.columns, "webp"});
+            sheets.push_back({sheet.piece.offset, sheet.piece.length, sheet.firstTile, sheet.count, sheet.columns, "webp", sheet.border});
         for (const Knob& knob : settings_.knobs)
-            settings.push_back({{"id", knob.id}, {"label", knob.label}, {"values", knob.values}, {"start", knob.start}});
+            settings.push_back({{"id", knob.id}, {"label", knob.label}, {"values", knob.values}, {"labels", knob.labels}, {"start", knob.start}});
         const double aspect = static_cast<double>(request_.size.picture.x) / request_.size.picture.y;
         const Json all{{"width", request_.size.picture.x}, {"height", request_.size.picture.y}, {"tile", kTileSide},
                        {"sheets", std::move(sheets)}, {"maps", pack_.maps()}, {"panes", panesJson()},
                        {"lamp", motion_.frames > 1 ? lampTrack(motion_, state_.scene, state_.camera, aspect, light_) : Json()},
-                       {"settings", std::move(settings)}, {"variants", settings_.combinations}, {"states", statesJson()},
-                       {"machine", request_.machine}, {"verdictColors", verdictColors_}, {"truthColors", truthColors_}, {"views", views_}, {"steps", steps_}, {"ask", ask_}, {"task", taskJson()}};
+                       {"settings", std::move(settings)}, {"variants", settings_.combinations}, {"states", states},
+                       {"machine", request_.machine}, {"verdictColors", verdictColors_}, {"truthColors", truthColors_},
+                       {"verdictNote", "A wrong pixel that stands alone is drawn as a square of " +
+                                           std::to_string(picture::wideMark(request_.size.picture.y)) + " pixels."},
+                       {"lightNote", lightNote()}, {"views", views_}, {"steps", steps_}, {"ask", ask_}, {"task", taskJson()}};
         return all.dump(-1, ' ', false, Json::error_handler_t::replace);
     }
 

@@ -41,6 +41,7 @@ struct ExploredSlide {
     std::string json;                ///< what the page's script reads (docs/explore.md)
     std::vector<std::uint8_t> bytes; ///< that `json` refers to: sheets of tiles, answers
     std::size_t stateBytes = 0;      ///< of `bytes`: pictures, verdicts and truths; the rest is stages, steps and answers
+    int solvedStates = 0;            ///< in how many of them the task is solved
 };
 
 struct ExploreRequest {

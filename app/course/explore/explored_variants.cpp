@@ -3,12 +3,14 @@
 
 #include <algorithm>
 
+#include "techniques/foundation/params/in_words.h"
+
 namespace shadowlab::course {
 
 namespace {
 
 Knob knobOf(const ExploredSetting& setting, const std::vector<ExploredPane>& panes) {
-    Knob knob{setting.technique + "." + setting.param, "", setting.values, 0};
+    Knob knob{setting.technique + "." + setting.param, "", setting.values, {}, 0};
     const auto pane = std::ranges::find(panes, setting.technique, [](const ExploredPane& one) { return one.state.technique; });
     picture::Slot slot = std::move(slotsOf({pane->state}).front()); // panesOf() has made sure that one shows the technique
     const params::Param& param = params::find(slot.params, setting.param, setting.technique);
@@ -17,10 +19,17 @@ Knob knobOf(const ExploredSetting& setting, const std::vector<ExploredPane>& pan
     const auto found = std::ranges::find(knob.values, own);
     knob.start = static_cast<int>(found - knob.values.begin());
     if (found == knob.values.end()) knob.values.push_back(own);
+    for (const std::string& value : knob.values)
+        knob.labels.push_back(valueWords(value, param));
     return knob;
 }
 
 } // namespace
+
+std::string valueWords(const std::string& value, const params::Param& param) {
+    const bool isNumber = param.kind == params::Kind::integer || param.kind == params::Kind::real;
+    return isNumber ? value : params::inWords(value, param);
+}
 
 ExploredVariants variantsOf(const std::vector<ExploredPane>& panes, const Explore& explore) {
     ExploredVariants all;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/picture/labels.h"
+#include "techniques/foundation/scene/query/outside_camera.h"
 
 namespace shadowlab::course {
 
@@ -103,7 +104,7 @@ Json objectsOf(const scene::Scene& scene, const Plan& plan) {
         Json outline = Json::array();
         for (const dvec2& corner : hullOf(std::move(points)))
             outline.push_back({corner.x, corner.y});
-        if (outline.size() > 2) objects.push_back({{"name", object.name}, {"outline", std::move(outline)}});
+        if (outline.size() > 1) objects.push_back({{"name", object.name}, {"outline", std::move(outline)}});
     }
     return objects;
 }
@@ -124,11 +125,13 @@ Json lampTrack(const film::Motion& motion, const scene::Snapshot& scene, const s
     std::vector<dvec2> seen{fromAbove(camera.positionWorld), fromAbove(camera.targetWorld)};
     for (const dvec3& place : places)
         seen.push_back(fromAbove(place));
+    if (const scene::Bounds things = scene::thingsBounds(*scene); !things.isEmpty())
+        seen.insert(seen.end(), {fromAbove(things.lowerWorld), fromAbove(things.upperWorld)});
     const Plan plan(seen);
     const double degrees = motion.orbitLightDegrees.value_or(0);
     Json positions = Json::array();
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const double turned = degrees * static_cast<double>(i) / motion.frames;
+        const double turned = i == 0 ? 0 : degrees * static_cast<double>(i) / motion.frames; // and not -0
         const bool isSun = lights[i].type == scene::LightType::directional;
         const std::optional<dvec2> shown = isSun ? std::nullopt : inPicture(places[i], camera, aspect);
         positions.push_back({{"said", "turned by " + picture::shortNumber(turned) + " degrees, " +

@@ -27,14 +27,6 @@ bool isEmpty(const image::Image& tile) {
     return true;
 }
 
-/// Repeats the last row and column of pixels that the picture has into the rest of the tile: a sharp rim would cost a lossy picture bytes,
-/// and its neighbours quality.
-void fillBeyond(image::Image& tile, int width, int height) {
-    for (int y = 0; y < kTileSide; ++y)
-        for (int x = 0; x < kTileSide; ++x)
-            if (x >= width || y >= height) tile.set(x, y, tile.at(std::min(x, width - 1), std::min(y, height - 1)));
-}
-
 void appendRun(PicturePack::Map& map, int tile) {
     const bool goesOn = !map.empty() && (tile == PicturePack::kEmpty ? map[map.size() - 2] == PicturePack::kEmpty
                                                                      : map[map.size() - 2] != PicturePack::kEmpty &&
@@ -47,15 +39,18 @@ void appendRun(PicturePack::Map& map, int tile) {
 
 } // namespace
 
-image::Image sheetOf(const image::Image& picture, std::span<const int> places, int columns) {
-    const int across = tilesAcross(picture.width), count = static_cast<int>(places.size());
-    image::Image sheet(columns * kTileSide, (count + columns - 1) / columns * kTileSide);
+image::Image sheetOf(const image::Image& picture, std::span<const int> places, int columns, int border) {
+    const int across = tilesAcross(picture.width), count = static_cast<int>(places.size()), cell = kTileSide + 2 * border;
+    image::Image sheet(columns * cell, (count + columns - 1) / columns * cell);
     for (int i = 0; i < count; ++i) {
         const int place = places[static_cast<std::size_t>(i)];
-        image::Image tile = tileOf(picture, place);
-        const int x = place % across * kTileSide, y = place / across * kTileSide;
-        fillBeyond(tile, std::min(kTileSide, picture.width - x), std::min(kTileSide, picture.height - y));
-        image::blit(sheet, i % columns * kTileSide, i / columns * kTileSide, tile);
+        const ivec2 from = ivec2(place % across, place / across) * kTileSide - border, to = ivec2(i % columns, i / columns) * cell;
+        for (int y = 0; y < cell; ++y)
+            for (int x = 0; x < cell; ++x) { // beyond its rim the picture goes on as it ends
+                const image::Color8 color =
+                    picture.at(std::clamp(from.x + x, 0, picture.width - 1), std::clamp(from.y + y, 0, picture.height - 1));
+                sheet.set(to.x + x, to.y + y, color.a == 0 ? image::Color8{0, 0, 0, 0} : color);
+            }
     }
     return sheet;
 }
@@ -80,8 +75,9 @@ int PicturePack::add(const image::Image& picture, image::WebpKind kind) {
     }
     if (!fresh.empty()) {
         const int count = static_cast<int>(fresh.size()), columns = std::min(count, across);
-        const Piece piece = addPiece(image::encodeWebp(sheetOf(picture, fresh, columns), kind));
-        sheets_.push_back({piece, nextTile_ - count, count, columns});
+        const int border = kind == image::WebpKind::photo ? kPhotoBorder : 0;
+        const Piece piece = addPiece(image::encodeWebp(sheetOf(picture, fresh, columns, border), kind));
+        sheets_.push_back({piece, nextTile_ - count, count, columns, border});
     }
     const auto [number, isNew] = numbersOfMaps_.emplace(map, static_cast<int>(maps_.size()));
     if (isNew) maps_.push_back(std::move(map));

@@ -19,16 +19,19 @@ namespace shadowlab::course {
 
 /// Pixels, a multiple of the 16 that WebP's blocks have: small enough that a shadow's edge leaves most of them as they are.
 constexpr int kTileSide = 64;
+/// Around each tile of a photograph its sheet holds so many pixels more of the picture. WebP predicts blocks from their neighbours, smooths
+/// their edges, and has colours at half the resolution: without them a tile would show what stands beside it in the sheet.
+constexpr int kPhotoBorder = 8;
 
 class PicturePack {
 public:
     struct Piece {
         std::size_t offset = 0, length = 0; ///< bytes
     };
-    /// `count` tiles, numbered on from `firstTile`, in rows of `columns`.
+    /// `count` tiles, numbered on from `firstTile`, in rows of `columns`, each with `border` pixels around it.
     struct Sheet {
         Piece piece;
-        int firstTile = 0, count = 0, columns = 0;
+        int firstTile = 0, count = 0, columns = 0, border = 0;
     };
     /// Runs of consecutive tiles, row by row: number of the first, how many. kEmpty: of tiles without any pixel.
     using Map = std::vector<int>;
@@ -52,7 +55,7 @@ private:
     int nextTile_ = 0;
 };
 
-/// The tiles of a sheet side by side, as it is encoded: what add() made of those tiles. Of `numbers` of tiles in order.
-image::Image sheetOf(const image::Image& picture, std::span<const int> places, int columns);
+/// The tiles of a picture at some places, counted row by row, as a sheet of add() has them.
+image::Image sheetOf(const image::Image& picture, std::span<const int> places, int columns, int border);
 
 } // namespace shadowlab::course
