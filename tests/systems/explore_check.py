@@ -34,6 +34,7 @@ DECK = {"title": "Explored", "subtitle": "Two slides", "scene": "still-life", "s
                                       "at-least": TASK, "told": "Right: the eye is in shadow, and so is much of the ground."}},
      "caption": "The eye in shadow.", "alt": "A room whose eye stands in shadow."}]}
 WIDE, PHONE = (1280, 720), (360, 740)
+LYING = ((640, 360), (667, 375), (740, 360), (844, 390))
 WINDOWS = (WIDE, (1024, 768), (1920, 1080))
 CONTROLS = ("button", "radio", "slider", "combobox", "checkbox", "link", "image", "img", "dialog", "group")
 
@@ -205,6 +206,20 @@ def fits_phone(lab):
     lab.expect(not small, f"too small for a finger: {small}")
 
 
+def lying_phone_reaches_all(lab):
+    """On a phone that lies, or in a window at twice the size, no picture covers what changes it."""
+    for window in LYING:
+        lab.browser.window(*window, True)
+        for control in (".lamp-group input[type=range]", ".settings-group input", ".steps-group button", ".ask-group > button"):
+            # Again until it holds: labs that come into sight further down change the page's height.
+            lab.wait("(control => { control.scrollIntoView({ block: 'center' }); const at = control.getBoundingClientRect(); const hit ="
+                     " document.elementFromPoint(at.left + at.width / 2, at.top + at.height / 2);"
+                     f" return hit && hit.closest('.group') === control.closest('.group') }})(ROOT.querySelector('{control}'))",
+                     f"{control} in {window}, with nothing over it")
+        wide = lab.ask("document.documentElement.scrollWidth")
+        lab.expect(wide <= window[0], f"in {window} the page is {wide} pixels wide")
+
+
 def everything_has_a_name(lab):
     named = [(role, name) for role, name in lab.browser.names() if role in CONTROLS]
     nameless = [role for role, name in named if not name.strip()]
@@ -294,6 +309,7 @@ def check(browser, page, keep):
     picture("alone")
     browser.window(1024, 768, True)
     run(swipe_turns_nothing, Lab(browser, page, PAIR))
+    run(lying_phone_reaches_all, Lab(browser, page, PAIR))
     browser.window(*PHONE, True)
     run(opens_at_its_slide, Lab(browser, page, ALONE))
     lab = Lab(browser, page, PAIR)
