@@ -29,6 +29,7 @@
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
 #include "techniques/foundation/image/png/png.h"
+#include "techniques/foundation/image/webp/webp.h"
 #include "techniques/foundation/scene/load/file_access.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
@@ -48,7 +49,7 @@ void describeSlides(DescribedOptions& add) {
              "slides that a deck calls explorable become labs in its page: a lamp to drag, a split line, steps, settings with their "
              "errors, pixels to ask");
     add.option("--explore-budget", "MB",
-               "what the labs of a page take at most (default 20): fewer positions of the lamp and smaller pictures are chosen to fit");
+               "what the labs of a page take at most (default 14): fewer positions of the lamp and smaller pictures are chosen to fit");
     describeBackend(add);
     add.option("--allow", "DIR", "a further folder that the decks' scenes may take meshes from; may be repeated");
     add.footer(
@@ -72,7 +73,7 @@ SlidesOptions slidesOptions(const GivenOptions& given) {
     constexpr int kLeastHeight = 360;                 // below, type dissolves
     constexpr double kNarrowest = 1.2, kWidest = 2.5; // shapes that slides are laid out for
     options.explores = given.has("--explore") || given.has("--explore-budget");
-    options.exploreBytes = megabytesFrom("--explore-budget", given.text("--explore-budget", "20"));
+    options.exploreBytes = megabytesFrom("--explore-budget", given.text("--explore-budget", "14"));
     options.lessons = std::erase(options.decks, kLessonsPage) > 0 || (options.allDecks && options.explores && options.only.empty());
     const double aspect = static_cast<double>(options.look.size.x) / options.look.size.y;
     if (options.look.size.y < kLeastHeight || aspect < kNarrowest || aspect > kWidest)
@@ -260,8 +261,18 @@ private:
         }
         if (!options_.only.empty() || pages.empty()) return;
         const double aspect = static_cast<double>(options_.look.size.x) / options_.look.size.y;
+        if (options_.explores)
+            for (course::PageSlide& page : pages)
+                page.webp = smallStill(page);
         image::writeWhole(options_.output / (deck.name() + ".html"), course::htmlPage(deck, pages, aspect, exploreCode(pages)));
         image::writeWhole(options_.output / (deck.name() + ".md"), course::markdown(deck, pages));
+    }
+
+    /// A page of labs is sent to phones: its stills are WebP. Drawings and words alone lose nothing.
+    static std::vector<std::uint8_t> smallStill(const course::PageSlide& page) {
+        const image::Image still = image::decodePng(page.png, page.slide.name).image;
+        const bool isDrawn = std::ranges::all_of(page.slide.pictures, [](const course::SlidePicture& one) { return !one.figure.empty(); });
+        return image::encodeWebp(still, isDrawn ? image::WebpKind::exact : image::WebpKind::letters);
     }
 
     static course::ExploreCode exploreCode(const std::vector<course::PageSlide>& pages) {

@@ -19,7 +19,7 @@ struct SlidesOptions {
     std::filesystem::path output;   ///< a folder
     course::SlideLook look;
     bool explores = false;               ///< slides with "explore" become labs in the page
-    std::size_t exploreBytes = 20000000; ///< that those of a deck take at most
+    std::size_t exploreBytes = 14000000; ///< that those of a deck take at most
     context::Backend backend = context::Backend::automatic;
     std::vector<std::filesystem::path> allowed;
 };

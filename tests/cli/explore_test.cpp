@@ -262,8 +262,15 @@ TEST_F(ExploreTest, AgainAndInterruptedItHasTheSameBytes) {
 }
 
 TEST_F(ExploreTest, WithoutTheOptionSlidesArePictures) {
+    folder.write("deck.json", deck(R"({"lamp": 1, "steps": false, "ask": 0})"));
+    ASSERT_EQ(slides().status, 0);
+    const std::string labs = out("deck.html");
+    EXPECT_NE(labs.find("data:image/webp;base64,"), std::string::npos) << "stills of a page for phones are small";
+    EXPECT_EQ(labs.find("data:image/png;base64,"), std::string::npos);
+    std::filesystem::remove_all(folder.path() / "out");
     ASSERT_EQ(slides({}).status, 0);
     const std::string html = out("deck.html");
+    EXPECT_NE(html.find("data:image/png;base64,"), std::string::npos);
     EXPECT_EQ(html.find("explorable"), std::string::npos);
     EXPECT_FALSE(listing().contains("out/deck.times.json"));
 }

@@ -153,7 +153,8 @@ std::string toldWords(const Slide& slide) {
 std::string sheet(const PageSlide& page, double aspect) {
     const Slide& slide = page.slide;
     const std::string image = "<img alt=\"" + drawing::escapedMarkup(slide.alt.empty() ? slide.title : slide.alt) +
-                              "\" src=\"data:image/png;base64," + drawing::base64(page.png) + "\">";
+                              "\" src=\"data:image/" +
+                              (page.webp.empty() ? "png;base64," + drawing::base64(page.png) : "webp;base64," + drawing::base64(page.webp)) + "\">";
     const dvec2 corner = page.picturesAt.corner, size = page.picturesAt.size;
     if (size.x <= 0 || size.y <= 0) return "<div class=\"sheet wordy\">" + image + "</div>\n";
     const auto place = [](const std::string& name, double share) { return "--" + name + ": " + picture::fixed(share, 5); };

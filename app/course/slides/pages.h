@@ -18,6 +18,7 @@ struct PageSlide {
     drawing::Box picturesAt;       ///< where on it its pictures are, in shares of it; empty: it has none
     std::string pictureFile;       ///< of its pictures alone, beside the page; empty: it has none
     std::string wordsFile;         ///< of its pictures with the words beside them, where showsWordsAsPicture()
+    std::vector<std::uint8_t> webp{}; ///< the same slide for a page that has to be small; empty: the page takes `png`
     std::string explored{};        ///< elements of the page that make a lab of it (explore/explore_page.h); empty: it is a picture
 };
 

@@ -9,8 +9,9 @@
 namespace shadowlab::image {
 
 enum class WebpKind {
-    exact,    ///< without loss, alpha included
-    photo,    ///< with loss that is hard to see; alpha without loss
+    exact,   ///< without loss, alpha included
+    photo,   ///< with loss that is hard to see; alpha without loss
+    letters, ///< the same with less loss, for pictures in which something is written
 };
 
 /// Throws Error (overLimit) for a picture of more than 16383 pixels on a side, the format's limit, and (bug) should libwebp fail.
