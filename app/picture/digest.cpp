@@ -1,25 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "app/picture/digest.h"
 
-#include "techniques/foundation/scene/model/holes.h"
-#include "techniques/foundation/scene/model/surface_color.h"
-
 #include <array>
 #include <cstdio>
 #include <type_traits>
+
+#include "techniques/foundation/base/fnv.h"
+#include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/model/surface_color.h"
 
 namespace shadowlab::picture {
 
 namespace {
 
-/// FNV-1a with 64 bits (Fowler, Noll and Vo).
 class Hash {
 public:
-    void add(const void* bytes, std::size_t count) {
-        const auto* byte = static_cast<const unsigned char*>(bytes);
-        for (std::size_t i = 0; i < count; ++i)
-            value_ = (value_ ^ byte[i]) * 1099511628211ull;
-    }
+    void add(const void* bytes, std::size_t count) { value_ = fnv(bytes, count, value_); }
     void add(const std::string& text) {
         add(text.data(), text.size());
         add(text.size());
@@ -41,7 +37,7 @@ public:
     }
 
 private:
-    std::uint64_t value_ = 14695981039346656037ull;
+    std::uint64_t value_ = kFnvBasis;
 };
 
 void add(Hash& hash, const scene::Camera& camera) {

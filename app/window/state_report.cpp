@@ -8,6 +8,7 @@
 
 #include "app/course/capture_arguments.h"
 #include "app/window/gizmo.h"
+#include "techniques/foundation/base/fnv.h"
 #include "techniques/foundation/gl/handle.h"
 
 namespace shadowlab::window {
@@ -20,12 +21,9 @@ nlohmann::ordered_json cameraJson(const scene::Camera& camera) {
     return {{"position", numbers(camera.positionWorld)}, {"target", numbers(camera.targetWorld)}};
 }
 
-/// A hash of the pixels (FNV-1a: Fowler, Noll and Vo): equal for equal pictures, and very rarely for different ones.
 std::string fingerprint(const gl::Texture2D& picture) {
-    std::uint64_t hash = 14695981039346656037ull;
-    for (const std::uint8_t channel : picture::PictureEncoder::read(picture).rgba)
-        hash = (hash ^ channel) * 1099511628211ull;
-    return std::to_string(hash);
+    const image::Image pixels = picture::PictureEncoder::read(picture);
+    return std::to_string(fnv(pixels.rgba.data(), pixels.rgba.size()));
 }
 
 } // namespace

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <tuple>
 
+#include "techniques/foundation/base/fnv.h"
+
 namespace shadowlab::course {
 
 namespace {
@@ -14,14 +16,9 @@ constexpr std::size_t kFewestWrong = 2, kMostWrong = 3; ///< answers: four are r
 /// "Shadow map" of "Shadow map: bias".
 std::string_view kindOf(const LessonText& lesson) { return std::string_view(lesson.chapter).substr(0, lesson.chapter.find(':')); }
 
-/// The same on every machine, as std::hash need not be (FNV-1a: Fowler, Noll, Vo, 1991). The shift brings down the high bits, which
-/// depend on all letters; the lowest alone would be a sum of them.
-std::uint64_t digest(std::string_view text) {
-    std::uint64_t hash = 14695981039346656037ull;
-    for (const char letter : text)
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211ull;
-    return hash >> 32;
-}
+/// The same on every machine, as std::hash need not be. The shift brings down the high bits, which depend on all letters; the lowest
+/// alone would be a sum of them.
+std::uint64_t digest(std::string_view text) { return fnv(text.data(), text.size()) >> 32; }
 
 bool areAlike(const LessonText& a, const LessonText& b) {
     return a.title == b.title || std::ranges::find(a.alike, b.name) != a.alike.end() ||

@@ -15,10 +15,11 @@ struct LessonChoices {
     std::size_t picture = 0; ///< the state that is shown while it is asked
 };
 
-/// The lesson's own question, where it has one with choices. Else, after what a question without choices tells, "What has gone wrong here?", with its title among two or three titles of
-/// other lessons of `course`: of those of its own chapter first, then of chapters about the same kind of technique ("Shadow map: ..."),
-/// and of other chapters only where there would be less than two. Lessons that are alike are no wrong answers to each other.
-/// Which they are, and in which order they stand, follows from the names of the lessons: it is always the same.
+/// The lesson's own question, where it has one with choices. Else "What has gone wrong here?", after what a question without choices
+/// tells, with the lesson's title among two or three titles of other lessons of `course`: of those of its own chapter first, then of
+/// chapters about the same kind of technique ("Shadow map: ..."), and of other chapters only where there would be less than two. Lessons
+/// that are alike are no wrong answers to each other. Which they are, and in which order they stand, follows from the names of the
+/// lessons: it is always the same.
 LessonChoices choicesOf(const Lesson& lesson, const std::vector<LessonText>& course);
 
 } // namespace shadowlab::course
