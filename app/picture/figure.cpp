@@ -108,7 +108,7 @@ std::vector<Cell> layoutCells(Layout layout, int count, ivec2 size, double split
 }
 
 bool hasLegend(const Panel& panel) {
-    return panel.kind == StageKind::scalar || panel.kind == StageKind::count || !panel.display.key.empty();
+    return hasScale(panel.kind) || !panel.display.key.empty();
 }
 
 Figure composeFigure(const std::vector<Cell>& cells, const std::vector<Panel>& panels, ivec2 size,

@@ -36,15 +36,14 @@ Plate barPlate(const Panel& panel, const image::Font& font, double em, int wides
                   numbersY = barY + barHeight + pad / 2;
         for (int i = 0; i < unitLines; ++i)
             font.draw(figure, x, top + pad / 2 + i * lineHeight, unit[static_cast<std::size_t>(i)], em, kLabelText);
-        const bool isCount = panel.kind == StageKind::count;
-        const look::Palette& palette = isCount ? look::diverging() : look::viridis();
+        const look::Palette& palette = paletteOf(panel.kind);
         for (int i = 0; i < barWidth; ++i)
             fillRect(figure, x + i, barY, 1, barHeight, image::encoded(look::colorAt(palette, (i + 0.5) / barWidth)));
         font.draw(figure, x, numbersY, low, em, kLabelText);
         font.draw(figure, x + barWidth - highWidth, numbersY, high, em, kLabelText);
         const double zeroAt = -display.minimum / (display.maximum - display.minimum);
         const int zeroX = static_cast<int>(zeroAt * barWidth) - zeroWidth / 2;
-        if (isCount && zeroX > lowWidth + pad && zeroX + zeroWidth + pad < barWidth - highWidth)
+        if (panel.kind == StageKind::count && zeroX > lowWidth + pad && zeroX + zeroWidth + pad < barWidth - highWidth)
             font.draw(figure, x + zeroX, numbersY, "0", em, kLabelText);
     };
     return plate;
@@ -109,7 +108,7 @@ Plate titlePlate(const std::string& title, const image::Font& font, double em, i
 }
 
 Plate legendPlate(const Panel& panel, const image::Font& font, double em, int widest) {
-    if (panel.kind == StageKind::scalar || panel.kind == StageKind::count) return barPlate(panel, font, em, widest);
+    if (hasScale(panel.kind)) return barPlate(panel, font, em, widest);
     return panel.display.key.empty() ? Plate{} : keyPlate(panel, font, em, widest);
 }
 

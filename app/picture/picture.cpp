@@ -51,7 +51,7 @@ gl::Texture2D PictureEncoder::encodeInPlace(const Stage& stage, StageKind kind, 
     case StageKind::scalar:
     case StageKind::count: break;
     }
-    const look::Palette& palette = kind == StageKind::count ? look::diverging() : look::viridis();
+    const look::Palette& palette = paletteOf(kind);
     std::array<vec4, std::tuple_size_v<look::Palette>> stops;
     std::ranges::transform(palette, stops.begin(), [](const vec3& color) { return vec4(color, 1); });
     const bool isOnGround = kind == StageKind::count && ground && ground->size() == stage.texture.size();
@@ -124,6 +124,10 @@ gl::Texture2D PictureEncoder::copyOf(const gl::Texture2D& encoded) {
     glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     return copy;
 }
+
+bool hasScale(StageKind kind) { return kind == StageKind::scalar || kind == StageKind::count; }
+
+const look::Palette& paletteOf(StageKind kind) { return kind == StageKind::count ? look::diverging() : look::viridis(); }
 
 VisibilityImage readVisibility(const Stage& stage, const Region& region) {
     const auto [corner, size] = judge::shownPart(region, stage.texture.size());

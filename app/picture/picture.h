@@ -6,6 +6,7 @@
 
 #include "app/judge/grid.h"
 #include "app/judge/verdict.h"
+#include "techniques/foundation/base/look.h"
 #include "techniques/foundation/image/image.h"
 #include "techniques/frame.h"
 
@@ -46,6 +47,11 @@ private:
     gl::Program radiance_, oneSample_, ground_, swatches_, palette_, count_,
         visibility_; ///< shaders/picture/encode.frag, of each kind
 };
+
+/// Do the stage's colours stand for numbers on a scale?
+bool hasScale(StageKind kind);
+/// The colours of that scale, from the least value to the greatest. Counts differ on either side of 0; other numbers rise.
+const look::Palette& paletteOf(StageKind kind);
 
 /// Grey and alpha, two bytes a pixel, row 0 on top: 255 x the visible fraction; alpha 255 where there is a surface.
 struct VisibilityImage {

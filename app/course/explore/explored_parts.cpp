@@ -13,7 +13,6 @@
 #include "app/picture/labels.h"
 #include "app/picture/pixel_verdict.h"
 #include "techniques/foundation/base/error.h"
-#include "techniques/foundation/base/look.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::course {
@@ -21,8 +20,6 @@ namespace shadowlab::course {
 namespace {
 
 using Json = nlohmann::json;
-
-bool hasScale(const picture::Panel& panel) { return panel.kind == StageKind::scalar || panel.kind == StageKind::count; }
 
 constexpr std::size_t kLongestFact = 2000; ///< characters; names out of a file could be of any length
 
@@ -40,18 +37,17 @@ std::vector<std::uint8_t> deflated(const std::string& text) {
 
 Json legendJson(const picture::Panel& panel) {
     Json legend = Json::array();
-    if (!hasScale(panel))
+    if (!picture::hasScale(panel.kind))
         for (const KeyEntry& entry : panel.display.key)
             legend.push_back({drawing::colorText(entry.colorLinear), entry.label});
     return legend;
 }
 
 Json scaleJson(const picture::Panel& panel) {
-    if (!hasScale(panel)) return {};
+    if (!picture::hasScale(panel.kind)) return {};
     const std::string unit = panel.display.unit.empty() ? "" : " " + panel.display.unit;
-    const look::Palette& palette = panel.kind == StageKind::count ? look::diverging() : look::viridis();
     Json colors = Json::array();
-    for (const vec3& color : palette)
+    for (const vec3& color : picture::paletteOf(panel.kind))
         colors.push_back(drawing::colorText(color));
     return {{"from", picture::shortNumber(panel.display.minimum)},
             {"to", picture::shortNumber(panel.display.maximum) + unit},

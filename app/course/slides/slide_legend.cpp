@@ -24,10 +24,6 @@ drawing::TextStyle legendStyle(drawing::Anchor anchor = drawing::Anchor::start) 
     return {.size = kLegendType, .anchor = anchor, .color = kLegendInk, .hasRim = false};
 }
 
-bool hasBar(const picture::Panel& panel) {
-    return panel.kind == StageKind::scalar || panel.kind == StageKind::count;
-}
-
 double barWidth(double width) { return std::min(kWidestBar, kBarShare * width); }
 
 std::vector<std::string> unitLines(const picture::Panel& panel, double width, const Fonts& fonts) {
@@ -81,7 +77,7 @@ KeyLayout lowestKey(const picture::Panel& panel, double width, const Fonts& font
 
 /// A bar from the least value to the greatest with the unit beside it, and the numbers below.
 void drawBar(drawing::Drawing& drawing, const picture::Panel& panel, dvec2 corner, double width, const Fonts& fonts) {
-    const look::Palette& palette = panel.kind == StageKind::count ? look::diverging() : look::viridis();
+    const look::Palette& palette = picture::paletteOf(panel.kind);
     const double length = barWidth(width);
     for (int i = 0; i < kBarSteps; ++i) { // each from its left end to the bar's: no seam between them
         const double from = length * i / kBarSteps;
@@ -118,7 +114,7 @@ std::string legendProse(const std::string& label) {
 }
 
 double legendHeight(const picture::Panel& panel, double width, const Fonts& fonts) {
-    if (hasBar(panel)) {
+    if (picture::hasScale(panel.kind)) {
         const auto lines = static_cast<double>(unitLines(panel, width, fonts).size());
         return kAbove + std::max(kBarThickness + 1.2 * kLegendType, lines * kLegendRow);
     }
@@ -127,7 +123,7 @@ double legendHeight(const picture::Panel& panel, double width, const Fonts& font
 
 void drawLegendBelow(drawing::Drawing& drawing, const picture::Panel& panel, dvec2 corner, double width, const Fonts& fonts) {
     corner.y += kAbove;
-    if (hasBar(panel)) {
+    if (picture::hasScale(panel.kind)) {
         drawBar(drawing, panel, corner, width, fonts);
         return;
     }

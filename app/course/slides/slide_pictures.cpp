@@ -120,7 +120,7 @@ private:
     /// Colours that stand for the same unit get one range in all pictures: a colour means one value on the slide.
     void shareRanges() {
         const auto isOneOf = [](const picture::Panel& a, const picture::Panel& b) {
-            return a.kind == b.kind && (a.kind == StageKind::scalar || a.kind == StageKind::count) && a.display.unit == b.display.unit;
+            return a.kind == b.kind && picture::hasScale(a.kind) && a.display.unit == b.display.unit;
         };
         ranges_.resize(parts_.size());
         for (std::size_t i = 0; i < parts_.size(); ++i) {

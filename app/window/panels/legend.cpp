@@ -40,7 +40,7 @@ void drawBar(ImDrawList& list, const lab::PanePicture& picture, const Area& band
     text(display.unit);
     text(low);
     const float width = std::max(2 * em, std::min(kBarEm * em, static_cast<float>(band.corner.x) + room - x - textWidth(theme, em, high)));
-    const look::Palette& palette = picture.kind == StageKind::count ? look::diverging() : look::viridis();
+    const look::Palette& palette = picture::paletteOf(picture.kind);
     for (int i = 0; i < kBarSteps; ++i)
         list.AddRectFilled({x + static_cast<float>(i) * width / kBarSteps, barY},
                            {x + static_cast<float>(i + 1) * width / kBarSteps, barY + height},
@@ -162,19 +162,17 @@ void drawKey(ImDrawList& list, const std::vector<KeyEntry>& entries, const Area&
     }
 }
 
-bool hasBar(const lab::PanePicture& picture) { return picture.kind == StageKind::scalar || picture.kind == StageKind::count; }
-
 } // namespace
 
 int legendLines(const lab::PanePicture& picture, int width, int most, const Theme& theme) {
-    if (hasBar(picture)) return 1;
+    if (picture::hasScale(picture.kind)) return 1;
     if (picture.display.key.empty()) return 0;
     return std::min(most, static_cast<int>(layKey(itemsOf(picture.display.key), width, most, theme).lines.size()));
 }
 
 void drawLegend(ImDrawList& list, const lab::PanePicture& picture, const Area& band, const Theme& theme) {
     if (band.size.y < 1) return;
-    if (hasBar(picture))
+    if (picture::hasScale(picture.kind))
         drawBar(list, picture, band, theme);
     else if (!picture.display.key.empty())
         drawKey(list, picture.display.key, band, theme);
