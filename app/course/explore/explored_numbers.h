@@ -9,22 +9,23 @@ namespace shadowlab::course {
 
 /// None where a technique publishes no visibility, or the scene has no light.
 struct ExploredNumbers {
-    std::optional<double> coreErrors, falseLit, falseShadow; ///< pixels
+    std::optional<double> coreErrors;                        ///< pixels that are wrong far from any true edge: not by aliasing
+    std::optional<double> falseLit, falseShadow;             ///< pixels that are in truth in shadow, and in truth lit
     std::optional<double> compared;                          ///< pixels with a surface, ties left out
     std::optional<double> edgeErrorPx;                       ///< wrong pixels for each pixel of the true boundary
     std::optional<double> frameMs;                           ///< median over the lamp's positions: a frame after the lamp has moved
 };
 
 struct ExploredNumber {
-    std::string_view key, title;
+    std::string_view key;
     std::optional<double> ExploredNumbers::*value;
 };
 inline constexpr std::array kExploredNumbers{
-    ExploredNumber{"coreErrors", "wrong, not by aliasing", &ExploredNumbers::coreErrors},
-    ExploredNumber{"falseLit", "lit, in truth in shadow", &ExploredNumbers::falseLit},
-    ExploredNumber{"falseShadow", "in shadow, in truth lit", &ExploredNumbers::falseShadow},
-    ExploredNumber{"compared", "compared", &ExploredNumbers::compared},
-    ExploredNumber{"edgeErrorPx", "edge error, px", &ExploredNumbers::edgeErrorPx},
-    ExploredNumber{"frameMs", "ms", &ExploredNumbers::frameMs}};
+    ExploredNumber{"coreErrors", &ExploredNumbers::coreErrors},
+    ExploredNumber{"falseLit", &ExploredNumbers::falseLit},
+    ExploredNumber{"falseShadow", &ExploredNumbers::falseShadow},
+    ExploredNumber{"compared", &ExploredNumbers::compared},
+    ExploredNumber{"edgeErrorPx", &ExploredNumbers::edgeErrorPx},
+    ExploredNumber{"frameMs", &ExploredNumbers::frameMs}};
 
 } // namespace shadowlab::course

@@ -14,6 +14,7 @@
 #include "app/course/explore/explored_parts.h"
 #include "app/course/explore/explored_variants.h"
 #include "app/course/explore/lamp_track.h"
+#include "app/course/state_motion.h"
 #include "app/drawing/prose.h"
 #include "app/judge/metrics/frame_times.h"
 #include "app/picture/derived_stages.h"
@@ -51,6 +52,7 @@ public:
         : slide_(slide), explore_(explore), request_(request), font_(font), bold_(bold), times_(times),
           state_(slide.pictures.front().state), panes_(panesOf(slide, explore)),
           motion_(motionOf(explore, state_.scene->lights.empty() ? 1 : request.size.lampPositions)),
+          moments_(statesInMotion(state_, motion_)),
           light_(picture::stageLight(*state_.scene, state_.light)), session_(state_.scene), settings_(variantsOf(panes_, explore)) {
         for (const std::vector<lab::PaneState>& ofPane : settings_.drawn) {
             std::vector<Variant>& variants = variants_.emplace_back();
@@ -63,13 +65,10 @@ public:
         const int positions = request_.lampPositionsToDraw > 0 ? std::min(request_.lampPositionsToDraw, motion_.frames) : motion_.frames;
         const bool isTrial = request_.lampPositionsToDraw > 0;
         std::size_t stateBytes = 0;
-        scene::Snapshot previous;
         for (int lamp = 0; lamp < positions; ++lamp) {
             // A trial's positions are spread over the track.
             const int frame = lamp * motion_.frames / positions;
-            const film::Moment moment = film::momentAt(motion_, state_.scene, frame, previous);
-            previous = moment.snapshot;
-            session_.setScene(moment.snapshot);
+            session_.setScene(moments_[static_cast<std::size_t>(frame)].scene);
             const std::size_t before = pack_.bytes().size();
             for (std::size_t pane = 0; pane < panes_.size(); ++pane)
                 for (Variant& variant : variants_[pane]) {
@@ -314,13 +313,13 @@ private:
     std::string json(const Json& states) {
         Json sheets = Json::array(), settings = Json::array();
         for (const PicturePack::Sheet& sheet : pack_.sheets())
-            sheets.push_back({sheet.piece.offset, sheet.piece.length, sheet.firstTile, sheet.count, sheet.columns, "webp", sheet.border});
+            sheets.push_back({sheet.piece.offset, sheet.piece.length, sheet.firstTile, sheet.count, sheet.columns, sheet.border});
         for (const Knob& knob : settings_.knobs)
             settings.push_back({{"id", knob.id}, {"label", knob.label}, {"values", knob.values}, {"labels", knob.labels}, {"start", knob.start}});
         const double aspect = static_cast<double>(request_.size.picture.x) / request_.size.picture.y;
         const Json all{{"width", request_.size.picture.x}, {"height", request_.size.picture.y}, {"tile", kTileSide},
                        {"sheets", std::move(sheets)}, {"maps", pack_.maps()}, {"panes", panesJson()},
-                       {"lamp", motion_.frames > 1 ? lampTrack(motion_, state_.scene, state_.camera, aspect, light_) : Json()},
+                       {"lamp", motion_.frames > 1 ? lampTrack(moments_, explore_.lampDegrees, aspect, light_) : Json()},
                        {"settings", std::move(settings)}, {"variants", settings_.combinations}, {"states", states},
                        {"machine", request_.machine}, {"verdictColors", verdictColors_}, {"truthColors", truthColors_},
                        {"verdictNote", "A wrong pixel that stands alone is drawn as a square of " +
@@ -339,6 +338,7 @@ private:
     const ShownState& state_; ///< of the slide's first picture
     std::vector<ExploredPane> panes_;
     film::Motion motion_;
+    std::vector<ShownState> moments_; ///< one for each position of the lamp
     int light_;
     picture::Session session_;
     picture::PictureEncoder encoder_;
@@ -357,14 +357,10 @@ ExploredSlide exploredSlide(const Slide& slide, const Explore& explore, const Ex
 }
 
 int exploredStates(const Slide& slide, const Explore& explore, const ExploreSize& size) {
-    int states = 0;
-    for (const ExploredPane& pane : panesOf(slide, explore)) {
-        int variants = 1;
-        for (const ExploredSetting& setting : explore.settings)
-            if (setting.technique == pane.state.technique) variants += static_cast<int>(setting.values.size()) - 1;
-        states += variants;
-    }
-    return states * (slide.pictures.front().state.scene->lights.empty() ? 1 : size.lampPositions);
+    int variants = 0;
+    for (const std::vector<lab::PaneState>& ofPane : variantsOf(panesOf(slide, explore), explore).drawn)
+        variants += static_cast<int>(ofPane.size());
+    return variants * (slide.pictures.front().state.scene->lights.empty() ? 1 : size.lampPositions);
 }
 
 } // namespace shadowlab::course

@@ -17,7 +17,6 @@ namespace shadowlab::course {
 struct ExploredPane {
     lab::PaneState state; ///< without a stage
     std::vector<picture::StageRef> stages;
-    friend bool operator==(const ExploredPane&, const ExploredPane&) = default;
 };
 
 /// The techniques of the slide's first scene, one or two; drawings of a pixel count for the technique that they are of. Throws Error
@@ -31,7 +30,6 @@ struct ExploreSize {
     int positionsWithSteps = 4; ///< at how many of them stages and steps can be looked at
     int askPoints = 24;
     int askPositions = 3; ///< at how many of them pixels can be asked
-    friend bool operator==(const ExploreSize&, const ExploreSize&) = default;
 };
 
 /// Frame times that were measured, by what they are of: a page that is made again shows the same.

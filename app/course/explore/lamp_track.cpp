@@ -115,23 +115,24 @@ std::string metres(const dvec3& point) {
 
 } // namespace
 
-Json lampTrack(const film::Motion& motion, const scene::Snapshot& scene, const scene::Camera& camera, double aspect, int light) {
+Json lampTrack(const std::vector<ShownState>& states, double degrees, double aspect, int light) {
+    const scene::Scene& scene = *states.front().scene;
+    const scene::Camera& camera = states.front().camera;
     std::vector<dvec3> places;
     std::vector<scene::Light> lights;
-    for (int frame = 0; frame < motion.frames; ++frame) {
-        lights.push_back(film::momentAt(motion, scene, frame).snapshot->light(light));
+    for (const ShownState& state : states) {
+        lights.push_back(state.scene->light(light));
         places.push_back(placeOf(lights.back(), camera));
     }
     std::vector<dvec2> seen{fromAbove(camera.positionWorld), fromAbove(camera.targetWorld)};
     for (const dvec3& place : places)
         seen.push_back(fromAbove(place));
-    if (const scene::Bounds things = scene::thingsBounds(*scene); !things.isEmpty())
+    if (const scene::Bounds things = scene::thingsBounds(scene); !things.isEmpty())
         seen.insert(seen.end(), {fromAbove(things.lowerWorld), fromAbove(things.upperWorld)});
     const Plan plan(seen);
-    const double degrees = motion.orbitLightDegrees.value_or(0);
     Json positions = Json::array();
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const double turned = i == 0 ? 0 : degrees * static_cast<double>(i) / motion.frames; // and not -0
+        const double turned = i == 0 ? 0 : degrees * static_cast<double>(i) / static_cast<double>(places.size()); // and not -0
         const bool isSun = lights[i].type == scene::LightType::directional;
         const std::optional<dvec2> shown = isSun ? std::nullopt : inPicture(places[i], camera, aspect);
         positions.push_back({{"said", "turned by " + picture::shortNumber(turned) + " degrees, " +
@@ -150,7 +151,7 @@ Json lampTrack(const film::Motion& motion, const scene::Snapshot& scene, const s
             {"closed", std::abs(degrees) == 360},
             {"positions", std::move(positions)},
             {"plan",
-             {{"width", kPlanWidth}, {"height", plan.height()}, {"objects", objectsOf(*scene, plan)},
+             {{"width", kPlanWidth}, {"height", plan.height()}, {"objects", objectsOf(scene, plan)},
               {"eye", plan.json(fromAbove(camera.positionWorld))}, {"view", std::move(view)}}}};
 }
 

@@ -2,18 +2,19 @@
 // the scene from above on which it is dragged.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <vector>
+
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/film/motion.h"
-#include "techniques/foundation/scene/model/scene.h"
+#include "app/course/lessons/lesson.h"
 
 namespace shadowlab::course {
 
-/// The positions are those of the frames of `motion`, of the light of that index. `camera`: the eye; the pictures are `aspect` times as
-/// wide as high. As the page's script reads it: positions with what is said of them, and the plan (docs/explore.md).
+/// `states`: one for each position of the lamp, which is the light of that index; spread over `degrees` of its orbit. The pictures are
+/// `aspect` times as wide as high. As the page's script reads it: positions with what is said of them, and the plan (docs/explore.md).
 ///
 /// The plan looks straight down: +x is right, +z is down. A directional light has no place; it is drawn where a lamp would stand that
 /// shines at the camera's target from there.
-nlohmann::json lampTrack(const film::Motion& motion, const scene::Snapshot& scene, const scene::Camera& camera, double aspect, int light);
+nlohmann::json lampTrack(const std::vector<ShownState>& states, double degrees, double aspect, int light);
 
 } // namespace shadowlab::course

@@ -8,7 +8,7 @@
 
 #include "app/course/lessons/lesson_drawing.h"
 #include "app/course/lessons/lesson_figure.h"
-#include "app/course/lessons/lesson_motion.h"
+#include "app/course/state_motion.h"
 #include "app/course/state_picture.h"
 #include "app/picture/session.h"
 #include "techniques/foundation/base/error.h"

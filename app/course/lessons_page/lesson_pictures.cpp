@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/course/lessons_page/lesson_pictures.h"
 
-#include "app/course/lessons/lesson_motion.h"
+#include "app/course/state_motion.h"
 #include "app/course/state_picture.h"
 #include "techniques/foundation/image/webp/webp.h"
 

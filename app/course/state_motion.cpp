@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/course/lessons/lesson_motion.h"
+#include "app/course/state_motion.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-// A lesson's state while something moves: one state for each frame.
+// What is shown while something moves: one state for each frame.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>
