@@ -49,7 +49,7 @@
     constructor(data, name, choose) {
       this.data = data;
       this.controls = data.settings.map((setting, i) => {
-        const options = (setting.labels || setting.values).map((label, value) => ({ value, label, disabled: this.variantOf(i, value) < 0 }));
+        const options = setting.labels.map((label, value) => ({ value, label, disabled: this.variantOf(i, value) < 0 }));
         const chosen = value => choose(this.variantOf(i, Number(value)));
         return setting.values.length > MOST_RADIOS ? explore.select(setting.label, options, chosen)
           : explore.radios(setting.label, 'setting-' + i + '-' + name, options, chosen);
@@ -68,7 +68,7 @@
     putBack(from, to) {
       const { settings, variants } = this.data;
       return settings.filter((setting, i) => variants[from][i] !== setting.start && variants[to][i] === setting.start)
-        .map(setting => setting.label + ' is back at ' + (setting.labels || setting.values)[setting.start] + '.');
+        .map(setting => setting.label + ' is back at ' + setting.labels[setting.start] + '.');
     }
 
     set(variant) { this.controls.forEach((control, i) => control.set(this.data.variants[variant][i])) }

@@ -55,8 +55,8 @@
     }
 
     async decoded(index) {
-      const [offset, length, , , , kind] = this.data.sheets[index];
-      return createImageBitmap(new Blob([this.bytes(offset, length)], { type: 'image/' + kind }));
+      const [offset, length] = this.data.sheets[index];
+      return createImageBitmap(new Blob([this.bytes(offset, length)], { type: 'image/webp' }));
     }
 
     /// A sheet, kept from being thrown away until its user lets it go.
@@ -90,7 +90,7 @@
         await Promise.all([...held.values()].map(sheet => sheet.ready));
         const canvas = explore.element('canvas', { width, height }), context = canvas.getContext('2d');
         for (const each of tiles) {
-          const [, , first, , columns, , border] = sheets[each.sheet], place = each.id - first, cell = tile + 2 * border;
+          const [, , first, , columns, border] = sheets[each.sheet], place = each.id - first, cell = tile + 2 * border;
           context.drawImage(held.get(each.sheet).bitmap, place % columns * cell + border, Math.floor(place / columns) * cell + border, tile, tile, each.x, each.y, tile, tile);
         }
         return canvas;

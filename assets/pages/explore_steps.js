@@ -5,13 +5,6 @@
 
   const { element } = explore;
 
-  /// A formula is MathML, or else plain text.
-  const formulaOf = text => {
-    const made = element('div', { className: 'formula' });
-    if (text.startsWith('<')) made.innerHTML = text; else made.textContent = text;
-    return made;
-  };
-
   const lineOf = line => {
     const indent = line.length - line.trimStart().length;
     return element('li', { style: '--indent: ' + indent }, line.trim() || '\u00a0');
@@ -75,8 +68,8 @@
       this.previous.setAttribute('aria-disabled', place.index === 0); // not disabled: the focus would be lost
       this.next.setAttribute('aria-disabled', place.index === steps.length - 1);
       const step = this.step(place);
-      this.why.textContent = step.why || '';
-      this.formulas.replaceChildren(...(step.formula || []).map(formulaOf));
+      this.why.textContent = step.why;
+      this.formulas.replaceChildren(...step.formula.map(line => element('div', { className: 'formula', textContent: line })));
       if (this.shown !== place.pane) this.code.replaceChildren(...this.panes[place.pane].pseudocode.map(lineOf));
       this.shown = place.pane;
       [...this.code.children].forEach((line, i) => {

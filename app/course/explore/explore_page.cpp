@@ -3,17 +3,17 @@
 
 #include <array>
 
+#include "app/course/page_code.h"
 #include "app/drawing/markup.h"
-#include "techniques/foundation/scene/load/file_access.h"
 
 namespace shadowlab::course {
 
 namespace {
 
-constexpr std::uint64_t kLargestCode = 1 << 20; ///< bytes of a file; ours have some ten thousand
+constexpr std::array kLabStyles{"explore.css"};
 // In the order in which the page reads them.
-constexpr std::array kScripts{"explore_parts.js",   "explore_pack.js",  "explore_stage.js", "explore_lamp.js", "explore_choices.js",
-                              "explore_numbers.js", "explore_steps.js", "explore_ask.js",   "explore.js"};
+constexpr std::array kLabScripts{"explore_parts.js",   "explore_pack.js",  "explore_stage.js", "explore_lamp.js", "explore_choices.js",
+                                 "explore_numbers.js", "explore_steps.js", "explore_ask.js",   "explore.js"};
 
 /// In an element of a page: no "</" in a text ends it.
 std::string withoutEndTags(std::string json) {
@@ -30,11 +30,7 @@ std::string exploreElements(const std::string& slide, const ExploredSlide& explo
 }
 
 ExploreCode exploreCode(const std::filesystem::path& assets) {
-    const std::filesystem::path pages = assets / "pages";
-    ExploreCode code{scene::readFile(pages / "explore.css", kLargestCode), ""};
-    for (const char* script : kScripts)
-        code.script += scene::readFile(pages / script, kLargestCode);
-    return code;
+    return {pageCode(assets, kLabStyles), pageCode(assets, kLabScripts)};
 }
 
 } // namespace shadowlab::course

@@ -4,10 +4,10 @@
 #include <cctype>
 
 #include "app/course/lessons/lesson_quantities.h"
+#include "app/course/page_code.h"
 #include "app/drawing/markup.h"
 #include "app/picture/labels.h"
 #include "app/picture/verdict_reasons.h"
-#include "techniques/foundation/scene/load/file_access.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::course {
@@ -16,8 +16,9 @@ namespace {
 
 using drawing::escapedMarkup;
 
-constexpr std::uint64_t kLargestCode = 1 << 20; ///< bytes of a file; ours have some ten thousand
-constexpr int kDigits = 4;                      ///< of a number beside its bounds: these have fewer
+constexpr std::array kLessonStyles{"lessons.css"};
+constexpr std::array kLessonScripts{"explore_parts.js", "lessons.js"};
+constexpr int kDigits = 4; ///< of a number beside its bounds: these have fewer
 /// Shares of the height: a name above or below a frame takes no more.
 constexpr double kRoomOfLabel = 0.1;
 
@@ -171,15 +172,14 @@ PageEntry pageEntry(const Lesson& lesson, const PageLesson& page, std::size_t nu
 }
 
 std::string lessonsPage(const std::vector<PageEntry>& entries, const std::filesystem::path& assets) {
-    const auto code = [folder = assets / "pages"](const char* name) { return scene::readFile(folder / name, kLargestCode); };
     std::string page = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Lessons on shadows</title>\n<style>" +
-                       code("lessons.css") + "</style>\n</head>\n<body>\n<header>\n<h1>Lessons on shadows</h1>\n"
+                       pageCode(assets, kLessonStyles) + "</style>\n</head>\n<body>\n<header>\n<h1>Lessons on shadows</h1>\n"
                        "<p class=\"about\">Each lesson shows a picture with a fault, and asks about it. Then it says why it is so, and what mends it.</p>\n</header>\n" +
                        overview(entries) + "<main>\n";
     for (const PageEntry& entry : entries)
         page += entry.section;
-    return page + "</main>\n" + key(entries) + "<script>" + code("explore_parts.js") + code("lessons.js") + "</script>\n</body>\n</html>\n";
+    return page + "</main>\n" + key(entries) + "<script>" + pageCode(assets, kLessonScripts) + "</script>\n</body>\n</html>\n";
 }
 
 } // namespace shadowlab::course

@@ -19,7 +19,6 @@ struct PageLesson {
     std::vector<std::array<double, 2>> measured; ///< before and after, of each of the lesson's expectations
 };
 
-
 /// One line of the key to a printed page, and of the overview.
 struct PageEntry {
     std::string chapter, title;
