@@ -3,34 +3,24 @@
 #include "app/cli/slides.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <memory>
-#include <optional>
+#include <utility>
 
 #include "app/cli/command.h"
 #include "app/cli/common_options.h"
-#include "app/cli/explored_deck.h"
+#include "app/cli/drawn_deck.h"
 #include "app/cli/lessons_page.h"
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
 #include "app/cli/progress.h"
 #include "app/context/assets.h"
 #include "app/context/signals.h"
-#include "app/course/explore/explore_budget.h"
-#include "app/course/explore/explore_page.h"
-#include "app/course/slides/pages.h"
-#include "app/course/slides/unfinished.h"
-#include "app/picture/digest.h"
 #include "app/picture/limits.h"
 #include "app/student/program_digest.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/nearest_names.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
-#include "techniques/foundation/image/png/png.h"
-#include "techniques/foundation/image/webp/webp.h"
-#include "techniques/foundation/scene/load/file_access.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::cli {
@@ -47,7 +37,7 @@ void describeSlides(DescribedOptions& add) {
     add.option("--supersample", "N", "N x N samples for each pixel of a picture, from 1 to 8 (default 2)");
     add.flag("--explore",
              "slides that a deck calls explorable become labs in its page: a lamp to drag, a split line, steps, settings with their "
-             "errors, pixels to ask");
+             "errors, pixels to ask; of whole decks, so not with --only");
     add.option("--explore-budget", "MB",
                "what the labs of a page take at most (default 14): fewer positions of the lamp and smaller pictures are chosen to fit");
     describeBackend(add);
@@ -74,7 +64,9 @@ SlidesOptions slidesOptions(const GivenOptions& given) {
     constexpr double kNarrowest = 1.2, kWidest = 2.5; // shapes that slides are laid out for
     options.explores = given.has("--explore") || given.has("--explore-budget");
     options.exploreBytes = megabytesFrom("--explore-budget", given.text("--explore-budget", "14"));
-    options.lessons = std::erase(options.decks, kLessonsPage) > 0 || (options.allDecks && options.explores && options.only.empty());
+    if (options.explores && !options.only.empty())
+        refuseUsage("--explore: labs are in the page of a whole deck, and with --only none is written; leave one of the two out");
+    options.lessons = std::erase(options.decks, kLessonsPage) > 0 || (options.allDecks && options.explores);
     const double aspect = static_cast<double>(options.look.size.x) / options.look.size.y;
     if (options.look.size.y < kLeastHeight || aspect < kNarrowest || aspect > kWidest)
         refuseUsage(
@@ -91,20 +83,9 @@ SlidesOptions slidesOptions(const GivenOptions& given) {
     return options;
 }
 
-using course::Deck;
-
-constexpr std::uint64_t kLargestElements = 1 << 16; ///< bytes beside the pieces: what the elements of a lab have around them
-
 void makeFolder(const std::filesystem::path& folder) {
     image::makeFolders(folder);
     image::probeWritable(folder / "slide.png");
-}
-
-/// "07-silhouettes"
-std::string numbered(const Deck& deck, std::size_t slide) {
-    std::array<char, 24> number{};
-    std::snprintf(number.data(), number.size(), "%02zu-", slide + 1);
-    return number.data() + deck.slides()[slide];
 }
 
 class Slides {
@@ -113,30 +94,20 @@ public:
 
     int run() {
         openDecks();
-        context_ = context::createContext(options_.backend); // before the folders: without graphics none is left behind
+        const std::unique_ptr<context::Context> context = context::createContext(options_.backend); // without graphics no folder is left behind
         std::error_code ignored;
         const std::filesystem::path folders[] = {options_.output / "pictures", options_.output};
-        const bool were[] = {std::filesystem::exists(folders[0], ignored),
-                             std::filesystem::exists(folders[1], ignored)};
+        const bool were[] = {std::filesystem::exists(folders[0], ignored), std::filesystem::exists(folders[1], ignored)};
         makeFolder(folders[1]);
         if (!decks_.empty()) makeFolder(folders[0]);
-        makePainter();
-        countStates();
-        progress_.emplace(options_.explores ? "picture" : "slide", total_, Progress::Remaining::told);
-        try {
-            for (Deck& deck : decks_)
-                draw(deck);
-        } catch (const context::Interrupted&) {
-            note("interrupted; the same command goes on from here");
-            throw;
-        }
-        progress_.reset();
+        drawDecks();
         if (!lessons_.empty()) writeLessonsPage(options_.output, lessons_); // interrupted, it begins again, and the decks stand
         comeToTheEnd();
         for (const int i : {0, 1}) // a folder that is still empty is removed again
             if (!were[i] && std::filesystem::exists(folders[i], ignored) && std::filesystem::is_empty(folders[i], ignored))
                 std::filesystem::remove(folders[i], ignored);
-        return static_cast<int>(worst_);
+        const auto failed = std::ranges::find_if(decks_, [](const DrawnDeck& deck) { return deck.worst() != ExitStatus::ok; });
+        return static_cast<int>(failed == decks_.end() ? ExitStatus::ok : failed->worst());
     }
 
 private:
@@ -145,88 +116,27 @@ private:
         const std::vector<std::string> names = options_.allDecks ? course::builtInDecks(loading.assetsRoot) : options_.decks;
         if (options_.lessons) lessons_ = lessonNames();
         for (const std::string& name : names) {
-            Deck deck(name, loading);
+            course::Deck deck(name, loading);
             image::keepInput(deck.file());
-            if (std::ranges::find(decks_, deck.name(), &Deck::name) != decks_.end())
+            if (std::ranges::any_of(decks_, [&](const DrawnDeck& other) { return other.deck().name() == deck.name(); }))
                 throw Error(ExitStatus::usage, "two of the decks are called '" + scene::shown(deck.name()) +
                                                    "', and so would be their slides; draw them into two folders");
             if (options_.lessons && deck.name() == kLessonsPage)
                 throw Error(ExitStatus::usage, scene::shownPath(deck.file()) + ": its page would be lessons.html, as that of all lessons; write them "
                                                                                "into two folders");
-            decks_.push_back(std::move(deck));
+            decks_.emplace_back(std::move(deck), options_);
         }
         checkOnly();
-        std::erase_if(lessons_, [this](const std::string& lesson) { return !isWanted(lesson); });
+        std::erase_if(lessons_, [this](const std::string& lesson) { return !DrawnDeck::isWanted(options_, lesson); });
         if (!lessons_.empty()) image::requireNoInput(options_.output / (std::string(kLessonsPage) + ".html"));
-        for (const Deck& deck : decks_) {
-            for (std::size_t i = 0; i < deck.slides().size(); ++i)
-                image::requireNoInput(options_.output / (deck.name() + "-" + numbered(deck, i) + ".png"));
-            for (const char* ending : {".html", ".md"})
-                image::requireNoInput(options_.output / (deck.name() + ending));
-        }
-        for (const Deck& deck : decks_)
-            for (const std::string& slide : deck.slides())
-                total_ += isWanted(slide);
-    }
-
-    /// Of explorable slides every state is a picture of its own. One that cannot be read says so when its turn comes.
-    void countStates() {
-        slides_ = total_;
-        if (!options_.explores) return;
-        for (Deck& deck : decks_) {
-            std::vector<int>& states = states_.emplace_back(deck.slides().size());
-            for (std::size_t i = 0; i < deck.slides().size(); ++i) {
-                if (!isWanted(deck.slides()[i])) continue;
-                try {
-                    const course::Slide slide = deck.read(i);
-                    if (slide.explore) states[i] = course::exploredStates(slide, *slide.explore, course::askedSize(*slide.explore));
-                } catch (const Error&) {
-                    continue;
-                }
-                total_ += states[i];
-            }
-        }
-    }
-
-    void makePainter() {
-        const course::SlideLook& look = options_.look;
-        if (const int limit = context::largestSide(); std::max(look.size.x, look.size.y) * look.supersample > limit)
-            throw Error(ExitStatus::overLimit, "a picture needs more samples on a side than the " +
-                                                   std::to_string(limit) +
-                                                   " of this OpenGL driver; choose a smaller --size or --supersample");
-        painter_ = std::make_unique<course::SlidePainter>(context::assetsRoot() / "fonts", look);
-        madeBy_ = student::programDigest() + context::glVersion() + context::glRenderer() +
-                  std::to_string(look.size.x) + "x" + std::to_string(look.size.y) + " by " +
-                  std::to_string(look.supersample) + (options_.explores ? " " + std::to_string(options_.exploreBytes) : "");
-    }
-
-    /// The next run draws all slides again.
-    void comeToTheEnd() {
-        for (const Deck& deck : decks_) {
-            const course::Unfinished unfinished(options_.output, deck.name());
-            if (options_.only.empty()) unfinished.discardAll();
-            std::vector<std::string> drawn;
-            for (std::size_t i = 0; i < deck.slides().size(); ++i)
-                if (isWanted(deck.slides()[i])) drawn.push_back(numbered(deck, i));
-            unfinished.discard(drawn);
-            std::error_code ignored;
-            if (options_.explores)
-                for (std::size_t i = 0; i < deck.slides().size(); ++i)
-                    std::filesystem::remove(options_.output / exploredFile(deck.name() + "-" + numbered(deck, i)), ignored);
-        }
-        if (stood_ > 0)
-            note(std::to_string(stood_) + " of " + std::to_string(slides_) +
-                 " slides were there already, from a run that did not come to its end");
-    }
-
-    [[nodiscard]] bool isWanted(const std::string& slide) const {
-        return options_.only.empty() || std::ranges::find(options_.only, slide) != options_.only.end();
+        for (const DrawnDeck& deck : decks_)
+            deck.keepInputs();
     }
 
     void checkOnly() const {
         std::vector<std::string> known;
-        for (const Deck& deck : decks_)
-            known.insert(known.end(), deck.slides().begin(), deck.slides().end());
+        for (const DrawnDeck& deck : decks_)
+            known.insert(known.end(), deck.deck().slides().begin(), deck.deck().slides().end());
         known.insert(known.end(), lessons_.begin(), lessons_.end());
         const std::string what = lessons_.empty() ? "slide" : decks_.empty() ? "lesson" : "slide or lesson";
         for (const std::string& name : options_.only)
@@ -235,130 +145,46 @@ private:
                             "--only: no " + what + " is called '" + scene::shown(name) + "'; " + suggestion(name, known));
     }
 
-    void draw(Deck& deck) {
-        if (const course::Unfinished unfinished(options_.output, deck.name()); unfinished.isForeign())
-            note(scene::shownPath(unfinished.file()) +
-                 ": is none of ours, so an interrupted run would begin again; move it away");
-        std::vector<course::PageSlide> pages;
-        const auto number = static_cast<std::size_t>(&deck - decks_.data());
-        if (options_.explores)
-            explored_.emplace(options_.output, deck.name(), options_.exploreBytes,
-                              static_cast<int>(std::ranges::count_if(states_[number], [](int states) { return states > 0; })),
-                              options_.look.supersample);
-        for (std::size_t i = 0; i < deck.slides().size(); ++i) {
-            if (!isWanted(deck.slides()[i])) continue;
-            context::throwIfInterrupted();
-            const int before = done_;
-            try {
-                pages.push_back(draw(deck, i));
-            } catch (const Error& error) {
-                if (error.status() == ExitStatus::cannotWrite) throw; // the next would fail as well
-                complain(place(deck, i, error.what()));
-                if (worst_ == ExitStatus::ok) worst_ = error.status();
-            }
-            done_ = before + 1 + (options_.explores ? states_[number][i] : 0); // whatever of it was drawn, or stood already
-            progress_->done(done_);
+    void drawDecks() {
+        const course::SlideLook& look = options_.look;
+        if (const int limit = context::largestSide(); std::max(look.size.x, look.size.y) * look.supersample > limit)
+            throw Error(ExitStatus::overLimit, "a picture needs more samples on a side than the " + std::to_string(limit) +
+                                                   " of this OpenGL driver; choose a smaller --size or --supersample");
+        course::SlidePainter painter(context::assetsRoot() / "fonts", look);
+        const std::string madeBy = student::programDigest() + context::glVersion() + context::glRenderer() + std::to_string(look.size.x) + "x" +
+                                   std::to_string(look.size.y) + " by " + std::to_string(look.supersample) +
+                                   (options_.explores ? " " + std::to_string(options_.exploreBytes) : "");
+        int all = 0, done = 0;
+        for (DrawnDeck& deck : decks_)
+            all += deck.countPictures();
+        Progress progress(options_.explores ? "picture" : "slide", all, Progress::Remaining::told);
+        try {
+            for (DrawnDeck& deck : decks_)
+                deck.draw(painter, madeBy, [&](int pictures) {
+                    context::throwIfInterrupted();
+                    progress.done(done += pictures);
+                });
+        } catch (const context::Interrupted&) {
+            note("interrupted; the same command goes on from here");
+            throw;
         }
-        if (!options_.only.empty() || pages.empty()) return;
-        const double aspect = static_cast<double>(options_.look.size.x) / options_.look.size.y;
-        if (options_.explores)
-            for (course::PageSlide& page : pages)
-                page.webp = smallStill(page);
-        image::writeWhole(options_.output / (deck.name() + ".html"), course::htmlPage(deck, pages, aspect, exploreCode(pages)));
-        image::writeWhole(options_.output / (deck.name() + ".md"), course::markdown(deck, pages));
     }
 
-    /// A page of labs is sent to phones: its stills are WebP. Drawings and words alone lose nothing.
-    static std::vector<std::uint8_t> smallStill(const course::PageSlide& page) {
-        const image::Image still = image::decodePng(page.png, page.slide.name).image;
-        const bool isDrawn = std::ranges::all_of(page.slide.pictures, [](const course::SlidePicture& one) { return !one.figure.empty(); });
-        return image::encodeWebp(still, isDrawn ? image::WebpKind::exact : image::WebpKind::letters);
-    }
-
-    static course::ExploreCode exploreCode(const std::vector<course::PageSlide>& pages) {
-        const bool isNeeded = std::ranges::any_of(pages, [](const course::PageSlide& page) { return !page.explored.empty(); });
-        return isNeeded ? course::exploreCode(context::assetsRoot()) : course::ExploreCode();
-    }
-
-    /// What is wrong with a slide, naming it; what the file's readers say names file and line already.
-    static std::string place(const Deck& deck, std::size_t slide, const std::string& what) {
-        const std::string file = scene::shownPath(deck.file());
-        const std::string which = "slide '" + deck.slides()[slide] + "': ";
-        if (what.starts_with(file + ":")) return what + " (slide '" + deck.slides()[slide] + "')";
-        return file + ": " + which + what;
-    }
-
-    course::PageSlide draw(Deck& deck, std::size_t number) {
-        course::PageSlide page{deck.read(number), {}, {}, "", ""};
-        const std::string name = deck.name() + "-" + numbered(deck, number);
-        course::SlideFiles files{name + ".png"};
-        if (!page.slide.pictures.empty()) files.emplace_back(page.pictureFile = "pictures/" + name + ".png");
-        if (course::showsWordsAsPicture(page.slide))
-            files.emplace_back(page.wordsFile = "pictures/" + name + "-with-words.png");
-        const bool isExplored = options_.explores && page.slide.explore;
-        if (isExplored) files.emplace_back(exploredFile(name)); // last
-        const course::Unfinished unfinished(options_.output, deck.name());
-        const std::string from = madeFrom(deck, page.slide);
-        if (std::optional<course::StandingSlide> standing = unfinished.find(numbered(deck, number), from, files)) {
-            page.png = std::move(standing->png);
-            page.picturesAt = standing->picturesAt;
-            if (isExplored) {
-                page.explored = scene::readFile(options_.output / files.back(), options_.exploreBytes + kLargestElements);
-                explored_->countStanding(page.explored.size());
-            }
-            ++stood_;
-            return page;
+    void comeToTheEnd() const {
+        int stood = 0, slides = 0;
+        for (const DrawnDeck& deck : decks_) {
+            deck.discardUnfinished();
+            stood += deck.stood();
+            slides += deck.slides();
         }
-        const course::DrawnSlide drawn = painter_->draw(page.slide, {deck.title(), number + 1, deck.slides().size()});
-        std::vector<image::PngText> text{{"Title", page.slide.title}};
-        if (!page.slide.alt.empty()) text.push_back({"Description", page.slide.alt});
-        std::vector<std::string> digests;
-        const auto write = [&](const std::string& file, const image::Image& picture) {
-            std::vector<std::uint8_t> png = image::encodePng(picture, {.opaque = true, .text = text});
-            image::writeWhole(options_.output / file, png);
-            digests.push_back(picture::digestOf(png));
-            return png;
-        };
-        page.png = write(name + ".png", drawn.slide);
-        page.picturesAt = drawn.picturesAt;
-        if (!page.pictureFile.empty()) write(page.pictureFile, drawn.pictures);
-        if (!page.wordsFile.empty()) write(page.wordsFile, drawn.content);
-        if (isExplored) {
-            page.explored = explored_->elementsOf(page.slide, [this] {
-                context::throwIfInterrupted();
-                progress_->done(++done_);
-            });
-            image::writeWhole(options_.output / files.back(), page.explored);
-            digests.push_back(picture::digestOf(page.explored));
-        }
-        unfinished.keep(numbered(deck, number), from, digests, page.picturesAt); // last: with it the slide stands
-        return page;
-    }
-
-    /// Kept until all is drawn: the page holds it then.
-    static std::string exploredFile(const std::string& slide) { return slide + ".explored.html"; }
-
-    /// A digest of all that the slide's files depend on.
-    [[nodiscard]] std::string madeFrom(const Deck& deck, const course::Slide& slide) const {
-        std::string all = madeBy_ + deck.text();
-        for (const course::SlidePicture& picture : slide.pictures)
-            all += picture::digestOf(*picture.state.scene);
-        return picture::digestOf(all);
+        if (stood > 0)
+            note(std::to_string(stood) + " of " + std::to_string(slides) +
+                 " slides were there already, from a run that did not come to its end");
     }
 
     const SlidesOptions& options_;
-    std::vector<Deck> decks_;
+    std::vector<DrawnDeck> decks_;
     std::vector<std::string> lessons_; ///< names of those that are in the page of lessons
-    std::string madeBy_; ///< what all slides have in common
-    std::unique_ptr<context::Context> context_;
-    std::unique_ptr<course::SlidePainter> painter_;
-    std::optional<Progress> progress_;
-    std::optional<ExploredDeck> explored_; ///< of the deck that is drawn now
-    std::vector<std::vector<int>> states_; ///< of each deck's slides: how many states a lab has; 0: it is a picture
-    int slides_ = 0;                    ///< that are asked for
-    int total_ = 0, done_ = 0;          ///< pictures: slides and states; so far
-    int stood_ = 0;                     ///< slides that a run before this one has drawn
-    ExitStatus worst_ = ExitStatus::ok; ///< of the first slide that failed
 };
 
 Work slidesWork(const GivenOptions& given) {

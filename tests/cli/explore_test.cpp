@@ -1,7 +1,6 @@
 // `shadowlab slides --explore` as a user runs it. What the page shows is taken out of it again, and held against what `capture` draws and
 // `measure` finds of the same scene with the lamp at the same place.
 // SPDX-License-Identifier: MIT
-#include <webp/decode.h>
 #include <zlib.h>
 
 #include <nlohmann/json.hpp>
@@ -10,6 +9,7 @@
 #include "app/course/explore/picture_pack.h"
 #include "techniques/foundation/base/look.h"
 #include "tests/cli/command_fixture.h"
+#include "tests/support/webp_tiles.h"
 
 namespace shadowlab {
 namespace {
@@ -55,31 +55,15 @@ struct ExploredPage {
     }
     /// A picture put together from its tiles.
     [[nodiscard]] image::Image picture(int map) const {
-        const int side = data["tile"], width = data["width"], height = data["height"], across = (width + side - 1) / side;
-        image::Image whole(width, height);
         const std::vector<int> ids = tiles(map);
-        for (std::size_t place = 0; place < ids.size(); ++place) {
-            if (ids[place] < 0) continue;
-            for (const Json& sheet : data["sheets"]) {
-                const int first = sheet[2], count = sheet[3], columns = sheet[4], border = sheet[6], cell = side + 2 * border;
-                if (ids[place] < first || ids[place] >= first + count) continue;
-                const image::Image decoded = decodedWebp(sheetBytes(sheet));
-                image::Image tile(side, side);
-                const int number = ids[place] - first;
-                image::blit(tile, -(number % columns) * cell - border, -(number / columns) * cell - border, decoded);
-                image::blit(whole, static_cast<int>(place) % across * side, static_cast<int>(place) / across * side, tile);
-            }
+        std::vector<testing::TileSheet> sheets;
+        for (const Json& sheet : data["sheets"]) {
+            const int first = sheet[2], count = sheet[3];
+            if (std::ranges::none_of(ids, [&](int id) { return id >= first && id < first + count; })) continue;
+            const std::string bytes = sheetBytes(sheet);
+            sheets.push_back({testing::decodedWebp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}), first, count, sheet[4], sheet[5]});
         }
-        return whole;
-    }
-    static image::Image decodedWebp(const std::string& bytes) {
-        int width = 0, height = 0;
-        std::uint8_t* const pixels = WebPDecodeRGBA(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), &width, &height);
-        if (!pixels) throw std::runtime_error("no WebP");
-        image::Image image(width, height);
-        std::copy_n(pixels, image.rgba.size(), image.rgba.begin());
-        WebPFree(pixels);
-        return image;
+        return testing::fromTiles({data["width"], data["height"]}, data["tile"], ids, sheets);
     }
 
 private:
@@ -100,10 +84,10 @@ protected:
         folder.write("deck.json", deck(R"({"lamp": 3, "settings": {"shadow-map.resolution": [64, 2048]}, "ask": 8,
          "task": {"question": "Where is it wrong?", "number": "coreErrors", "at-least": 1}})"));
     }
-    [[nodiscard]] static std::string deck(const std::string& explore) {
+    [[nodiscard]] static std::string deck(const std::string& explore, const std::string& more = "") {
         return R"({"title": "A deck", "scene": "box.json", "slides": [
   {"name": "box", "title": "A box", "slots": [{"technique": "shadow-map"}, {"technique": "shadow-volume-zfail"}],
-   "set": ["shadow-map.filter=hard"], "explore": )" + explore + R"(, "alt": "A box."},
+   "set": ["shadow-map.filter=hard"], )" + more + R"("explore": )" + explore + R"(, "alt": "A box."},
   {"name": "still", "title": "A picture", "slots": [{"technique": "shadow-map"}], "alt": "A box."}]})";
     }
     [[nodiscard]] testing::ProgramResult slides(std::vector<std::string> more = {"--explore"}) const {
@@ -115,8 +99,8 @@ protected:
 
     /// The frames that `capture` draws while the lights go round.
     [[nodiscard]] std::vector<image::Image> captured(const std::string& technique, const std::vector<std::string>& settings, const Json& data,
-                                                     const std::vector<std::string>& more) const {
-        std::vector<std::string> words{"capture", "box.json", "-o", "frame_##.png", "-t", technique, "--frames", std::to_string(kPositions),
+                                                     const std::vector<std::string>& more, const std::string& scene = "box.json") const {
+        std::vector<std::string> words{"capture", scene, "-o", "frame_##.png", "-t", technique, "--frames", std::to_string(kPositions),
                                        "--orbit-light", "360", "--labels", "false", "--size",
                                        std::to_string(data["width"].get<int>()) + "x" + std::to_string(data["height"].get<int>())};
         for (const std::string& setting : settings)
@@ -128,6 +112,23 @@ protected:
         for (int frame = 1; frame <= kPositions; ++frame)
             frames.push_back(testing::decoded(testing::fileContent(folder.path() / ("frame_0" + std::to_string(frame) + ".png"))).image);
         return frames;
+    }
+    /// How many sheets of tiles belong to the picture of that state alone. Each is expected to have the bytes of the captured picture's.
+    static int comparedSheets(const ExploredPage& page, const Json& state, const image::Image& capture) {
+        const std::vector<int> ids = page.tiles(state["picture"]);
+        int sheets = 0;
+        for (const Json& sheet : page.data["sheets"]) {
+            const int first = sheet[2], count = sheet[3];
+            std::vector<int> places;
+            for (int id = first; id < first + count; ++id)
+                if (const auto found = std::ranges::find(ids, id); found != ids.end()) places.push_back(static_cast<int>(found - ids.begin()));
+            if (static_cast<int>(places.size()) != count) continue; // another state has drawn it
+            const std::vector<std::uint8_t> expected =
+                image::encodeWebp(course::sheetOf(capture, places, sheet[4], sheet[5]), image::WebpKind::photo);
+            EXPECT_EQ(page.sheetBytes(sheet), std::string(expected.begin(), expected.end())) << state;
+            ++sheets;
+        }
+        return sheets;
     }
     /// Of the map's pane as the states have them: its technique, and settings beyond the deck's own.
     static std::pair<std::string, std::vector<std::string>> slotOf(const Json& data, const Json& state) {
@@ -153,21 +154,30 @@ TEST_F(ExploreTest, PicturesAreThoseOfCaptureByteByByte) {
         const std::string key = technique + (settings.empty() ? "" : settings.back());
         if (!frames.contains(key))
             frames[key] = captured(technique, settings, page.data, {"--supersample", std::to_string(kSamples)});
-        const image::Image& capture = frames[key][state["lamp"].get<std::size_t>()];
-        const std::vector<int> ids = page.tiles(state["picture"]);
-        for (const Json& sheet : page.data["sheets"]) {
-            const int first = sheet[2], count = sheet[3];
-            std::vector<int> places;
-            for (int id = first; id < first + count; ++id)
-                if (const auto found = std::ranges::find(ids, id); found != ids.end()) places.push_back(static_cast<int>(found - ids.begin()));
-            if (static_cast<int>(places.size()) != count) continue; // another state has drawn it
-            const std::vector<std::uint8_t> expected =
-                image::encodeWebp(course::sheetOf(capture, places, sheet[4], sheet[6]), image::WebpKind::photo);
-            EXPECT_EQ(page.sheetBytes(sheet), std::string(expected.begin(), expected.end())) << state;
-            ++sheets;
-        }
+        sheets += comparedSheets(page, state, frames[key][state["lamp"].get<std::size_t>()]);
     }
     EXPECT_GE(sheets, 4) << "nothing was compared";
+}
+
+/// A slide may look elsewhere than its scene does. Lights that turned about what the scene's own camera looks at would stand elsewhere.
+TEST_F(ExploreTest, LightsTurnAboutWhatTheSlideLooksAt) {
+    constexpr const char* kSeen = R"("camera": {"position": [4, 3, 3], "target": [1, 0.25, -0.5]})";
+    folder.write("deck.json", deck(R"({"lamp": 3, "steps": false, "ask": 0})", std::string(kSeen) + ", "));
+    folder.write("seen.json", testing::sceneText(kSeen, testing::kTwoLights, testing::kBoxOnFloor));
+    ASSERT_EQ(slides().status, 0);
+    const ExploredPage page(out("deck.html"), "box");
+    const std::vector<image::Image> frames =
+        captured("shadow-volume-zfail", {}, page.data, {"--supersample", std::to_string(kSamples)}, "seen.json");
+    int sheets = 0;
+    for (const Json& state : page.data["states"])
+        if (state["pane"] == 1) sheets += comparedSheets(page, state, frames[state["lamp"].get<std::size_t>()]);
+    EXPECT_GE(sheets, kPositions);
+    dvec3 middle(0);
+    for (const Json& position : page.data["lamp"]["positions"])
+        for (int axis = 0; axis < 3; ++axis)
+            middle[axis] += position["at"][static_cast<std::size_t>(axis)].get<double>() / kPositions;
+    EXPECT_NEAR(middle.x, 1, 1e-9) << "three places a third of a turn apart";
+    EXPECT_NEAR(middle.z, -0.5, 1e-9);
 }
 
 TEST_F(ExploreTest, VerdictsAndNumbersAreThoseOfMeasure) {
@@ -287,6 +297,13 @@ TEST_F(ExploreTest, ABudgetIsKeptAndSaysWhatItChose) {
     EXPECT_LT(page.data["lamp"]["positions"].size(), 16u);
 }
 
+TEST_F(ExploreTest, IsOfWholeDecks) {
+    const testing::ProgramResult result = slides({"--explore", "--only", "box"});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("--only"), std::string::npos) << result.err;
+    EXPECT_FALSE(listing().contains("out"));
+}
+
 struct BadExplore {
     const char *explore, *said;
 };
@@ -310,7 +327,7 @@ TEST_F(ExploreTest, WhatADeckMayNotSayNamesItsPlace) {
              BadExplore{R"("yes")", "explore"},
          }) {
         folder.write("deck.json", deck(explore));
-        const testing::ProgramResult result = slides({"--explore", "--only", "box"});
+        const testing::ProgramResult result = slides();
         EXPECT_EQ(result.status, 3) << explore;
         EXPECT_EQ(result.err.find("shadowlab: deck.json:"), 0u) << result.err;
         EXPECT_NE(result.err.find(said), std::string::npos) << explore << "\n" << result.err;

@@ -3,9 +3,11 @@
 #include "app/course/explore/picture_pack.h"
 
 #include <gtest/gtest.h>
-#include <webp/decode.h>
 
 #include <algorithm>
+#include <span>
+
+#include "tests/support/webp_tiles.h"
 
 namespace shadowlab::course {
 namespace {
@@ -21,33 +23,18 @@ image::Image colored(int width = kWidth, int height = kHeight) {
     return image;
 }
 
-image::Image decoded(const PicturePack& pack, const PicturePack::Sheet& sheet) {
-    int width = 0, height = 0;
-    std::uint8_t* const pixels = WebPDecodeRGBA(pack.bytes().data() + sheet.piece.offset, sheet.piece.length, &width, &height);
-    if (!pixels) throw std::runtime_error("no WebP");
-    image::Image image(width, height);
-    std::copy_n(pixels, image.rgba.size(), image.rgba.begin());
-    WebPFree(pixels);
-    return image;
-}
-
 image::Image picture(const PicturePack& pack, int map, int width = kWidth, int height = kHeight) {
-    image::Image whole(width, height);
-    const int across = (width + kTileSide - 1) / kTileSide;
-    int place = 0;
+    std::vector<testing::TileSheet> sheets;
+    for (const PicturePack::Sheet& sheet : pack.sheets())
+        sheets.push_back({testing::decodedWebp(std::span(pack.bytes()).subspan(sheet.piece.offset, sheet.piece.length)), sheet.firstTile,
+                          sheet.count, sheet.columns, sheet.border});
+    std::vector<int> tiles;
     const PicturePack::Map& runs = pack.maps()[static_cast<std::size_t>(map)];
     for (std::size_t i = 0; i < runs.size(); i += 2)
-        for (int k = 0; k < runs[i + 1]; ++k, ++place)
-            for (const PicturePack::Sheet& sheet : pack.sheets()) {
-                const int number = runs[i] + k - sheet.firstTile;
-                if (runs[i] == PicturePack::kEmpty || number < 0 || number >= sheet.count) continue;
-                image::Image tile(kTileSide, kTileSide);
-                const int cell = kTileSide + 2 * sheet.border;
-                image::blit(tile, -(number % sheet.columns) * cell - sheet.border, -(number / sheet.columns) * cell - sheet.border, decoded(pack, sheet));
-                image::blit(whole, place % across * kTileSide, place / across * kTileSide, tile);
-            }
-    EXPECT_EQ(place, across * ((height + kTileSide - 1) / kTileSide));
-    return whole;
+        for (int k = 0; k < runs[i + 1]; ++k)
+            tiles.push_back(runs[i] == PicturePack::kEmpty ? -1 : runs[i] + k);
+    EXPECT_EQ(tiles.size(), static_cast<std::size_t>((width + kTileSide - 1) / kTileSide * ((height + kTileSide - 1) / kTileSide)));
+    return testing::fromTiles({width, height}, kTileSide, tiles, sheets);
 }
 
 TEST(PicturePackTest, WhatIsExactComesOutAsItWentIn) {
