@@ -35,7 +35,7 @@
       const { data, name, root } = this, still = matchMedia('(prefers-reduced-motion: reduce)').matches;
       this.stage = new explore.Stage(data, () => {});
       this.views = new explore.Views(data, name, view => this.change({ view, step: null }));
-      this.numbers = new explore.Numbers(data.panes, data.machine);
+      this.numbers = new explore.Numbers(data.panes, data.machine, data.width + ' \u00d7 ' + data.height);
       this.status = element('p', { className: 'spoken', role: 'status' });
       const column = this.column = element('div', { className: 'column' });
       if (data.task) {

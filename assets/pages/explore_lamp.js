@@ -15,7 +15,7 @@
   const points = list => list.map(point => point.join(',')).join(' ');
 
   /// The scene from above. An object's name is written into it, at its lower side, where it has room and hides no other name.
-  function planOf(lamp, stops) {
+  function planOf(lamp, stops, others) {
     const { width, height, objects, eye, view } = lamp.plan, type = LABEL * Math.max(width / PLAN_WIDTH, height / PLAN_HEIGHT);
     const drawn = [...objects].sort((a, b) => areaOf(b.outline) - areaOf(a.outline));
     const taken = [], names = [];
@@ -45,7 +45,7 @@
         element('circle', { class: 'eye', cx: eye[0], cy: eye[1], r: type * 0.45 }, element('title', { textContent: 'eye' })));
     }
     const line = points(lamp.positions.map(position => position.plan));
-    plan.append(element(lamp.closed ? 'polygon' : 'polyline', { class: 'track', points: line }), stops, ...names);
+    plan.append(element(lamp.closed ? 'polygon' : 'polyline', { class: 'track', points: line }), stops, ...others, ...names);
     return plan;
   }
 
@@ -58,8 +58,9 @@
       this.at = lamp.start;
       this.timer = null;
       this.stops = element('g', { class: 'stops' });
+      this.others = lamp.others.map(name => element('circle', { class: 'other', r: lamp.plan.width / 50 }, element('title', { textContent: name })));
       this.handle = element('span', { className: 'lamp', 'aria-hidden': 'true' });
-      this.plan = element('div', { className: 'plan', style: '--aspect: ' + lamp.plan.width / lamp.plan.height }, planOf(lamp, this.stops), this.handle);
+      this.plan = element('div', { className: 'plan', style: '--aspect: ' + lamp.plan.width / lamp.plan.height }, planOf(lamp, this.stops, this.others), this.handle);
       this.dragOn(this.plan, this.plan, position => [position.plan[0] / lamp.plan.width, position.plan[1] / lamp.plan.height]);
       this.slider = element('input', { type: 'range', min: 0, step: 1, 'aria-label': 'Lamp', oninput: () => this.moveTo(this.places[this.slider.value]),
         onkeydown: event => this.wrap(event) });
@@ -138,6 +139,7 @@
       this.note.hidden = !why;
       this.handle.style.left = 100 * position.plan[0] / plan.width + '%';
       this.handle.style.top = 100 * position.plan[1] / plan.height + '%';
+      this.others.forEach((other, i) => ['cx', 'cy'].forEach((axis, k) => other.setAttribute(axis, position.others[i][k])));
       if (!this.mark) return;
       this.mark.hidden = !position.picture;
       if (position.picture) [this.mark.style.left, this.mark.style.top] = position.picture.map(share => 100 * share + '%');

@@ -6,8 +6,8 @@
   const { element, known, NUMBERS, numberOf, numberWords } = explore;
 
   explore.Numbers = class {
-    /// `machine` is what the times were measured on.
-    constructor(panes, machine) {
+    /// `machine` is what the times were measured on, `size` in words that of the pictures.
+    constructor(panes, machine, size) {
       this.panes = panes;
       this.cells = NUMBERS.map(() => panes.map(() => element('td')));
       const head = element('tr', {}, element('td'), ...panes.map(pane => element('th', { scope: 'col', textContent: pane.title })));
@@ -16,7 +16,7 @@
       this.none = element('p', { className: 'note', textContent: 'Nothing was measured here.' });
       if (panes.length === 1) head.hidden = true; // its name stands above the picture
       this.table = element('table', { 'aria-label': 'Measured of ' + panes.map(pane => pane.title).join(' and ') }, head, ...this.rows);
-      this.machine = element('p', { className: 'note', textContent: 'Drawn by ' + machine + '.', hidden: !machine });
+      this.machine = element('p', { className: 'note', textContent: 'In pictures of ' + size + ' pixels, drawn by ' + machine + '.' });
       this.element = explore.group('numbers-group', 'Measured', this.table, this.none, this.machine);
     }
 

@@ -288,7 +288,7 @@ private:
     [[nodiscard]] std::string lightNote() const {
         const std::size_t lights = state_.scene->lights.size();
         if (lights < 2) return "";
-        return "All " + std::to_string(lights) + " lights turn together. Errors, truth and answers are about the light '" +
+        return "All " + std::to_string(lights) + " lights turn together: in the plan the others are smaller. Errors, truth and answers are about the light '" +
                state_.scene->light(light_).name + "'.";
     }
 

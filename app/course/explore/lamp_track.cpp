@@ -120,13 +120,20 @@ Json lampTrack(const std::vector<ShownState>& states, double degrees, double asp
     const scene::Camera& camera = states.front().camera;
     std::vector<dvec3> places;
     std::vector<scene::Light> lights;
+    std::vector<std::vector<dvec3>> others; // of each position
     for (const ShownState& state : states) {
         lights.push_back(state.scene->light(light));
         places.push_back(placeOf(lights.back(), camera));
+        std::vector<dvec3>& ofState = others.emplace_back();
+        for (int other = 0; other < static_cast<int>(scene.lights.size()); ++other)
+            if (other != light) ofState.push_back(placeOf(state.scene->light(other), camera));
     }
     std::vector<dvec2> seen{fromAbove(camera.positionWorld), fromAbove(camera.targetWorld)};
     for (const dvec3& place : places)
         seen.push_back(fromAbove(place));
+    for (const std::vector<dvec3>& ofState : others)
+        for (const dvec3& place : ofState)
+            seen.push_back(fromAbove(place));
     if (const scene::Bounds things = scene::thingsBounds(scene); !things.isEmpty())
         seen.insert(seen.end(), {fromAbove(things.lowerWorld), fromAbove(things.upperWorld)});
     const Plan plan(seen);
@@ -139,7 +146,10 @@ Json lampTrack(const std::vector<ShownState>& states, double degrees, double asp
                                           (isSun ? "shining along " + metres(lights[i].directionWorld) : "at " + metres(places[i]) + " m")},
                              {"at", {places[i].x, places[i].y, places[i].z}},
                              {"plan", plan.json(fromAbove(places[i]))},
+                             {"others", Json::array()},
                              {"picture", shown ? Json{shown->x, shown->y} : Json()}});
+        for (const dvec3& place : others[i])
+            positions.back()["others"].push_back(plan.json(fromAbove(place)));
     }
     // The rims of what the eye sees, as long as the way to its target and a half.
     Json view = Json::array();
@@ -147,7 +157,10 @@ Json lampTrack(const std::vector<ShownState>& states, double degrees, double asp
     const auto corners = scene::viewCorners(camera, aspect, depth);
     for (const auto& [upper, lower] : {std::pair{corners[0], corners[3]}, std::pair{corners[1], corners[2]}})
         view.push_back(plan.json(fromAbove((upper + lower) / 2.0)));
-    return {{"start", 0},
+    Json names = Json::array();
+    for (int other = 0; other < static_cast<int>(scene.lights.size()); ++other)
+        if (other != light) names.push_back(scene.light(other).name);
+    return {{"start", 0}, {"others", std::move(names)},
             {"closed", std::abs(degrees) == 360},
             {"positions", std::move(positions)},
             {"plan",
