@@ -9,6 +9,7 @@
 in vec3 positionView;
 in vec3 normalView;
 uniform sampler2D shares;   // of each pixel: red the share that is seen; green the irradiance by a light with an area
+uniform vec2 sharesPerPixel; // 1; less where blocks of pixels have one share
 uniform vec3 areaRadiance;  // of a light with an area, else 0
 uniform float exposureFactor;
 out vec4 result;
@@ -19,7 +20,7 @@ void main() {
     vec3 toLightView = towardLight(positionView, distanceSquared);
     // Where rasteriser and rays see different surfaces, at their edges, the surface that is drawn may be turned away.
     bool gate = eyeSideFacesLight() && lightShinesTo(toLightView);
-    vec2 share = gate ? texelFetch(shares, ivec2(gl_FragCoord.xy), 0).rg : vec2(0.0);
+    vec2 share = gate ? texelFetch(shares, ivec2(gl_FragCoord.xy * sharesPerPixel), 0).rg : vec2(0.0);
 #ifdef VISIBILITY_ONLY
     result = vec4(share.r, 1.0, 0.0, 1.0);
 #else

@@ -14,10 +14,11 @@ namespace shadowlab::radiosity {
 
 class PixelPicture {
 public:
-    /// Finds the direct light. True when it is complete.
+    /// Finds the direct light. True when it is complete. In a hurry blocks of 4 x 4 pixels ask first, together.
     bool advanceDirect(const scene::Snapshot& snapshot, const View& view, Deadline deadline);
-    /// Can direct light be shown? Before it is complete, that of lights with an area comes from their centres.
-    [[nodiscard]] bool hasDirect() const { return direct_.hasPreview(); }
+    /// Can direct light be shown? Before it is complete, that of lights with an area comes from their centres, and at first that of all
+    /// lights in blocks of pixels.
+    [[nodiscard]] bool hasDirect() const { return direct_.hasPreview() || blocks_.hasPreview(); }
     /// Gathers for each pixel, once direct light is complete. True when each has sent so many rays.
     bool advanceGather(const GatherSolution& solution, std::size_t rays, Deadline deadline);
     /// Gathers for some pixels, and shares. True when all have their irradiance.
@@ -42,7 +43,7 @@ private:
     void upload(const std::vector<vec4>& irradianceFromBelow);
     void useForLight(const Frame& frame, const gl::Program& program, int light) const;
 
-    PixelLight direct_;
+    PixelLight direct_, blocks_; ///< of each pixel; of each block
     PixelGather gather_;
     SharedGather shared_;
     /// Of what is on the graphics card: who has gathered it, and his version.
@@ -57,7 +58,7 @@ private:
     /// The direct light of a light on the graphics card.
     struct UploadedShares {
         std::uint64_t version = 0;
-        bool isPreview = false;
+        bool ofBlocks = false, isPreview = false;
         gl::Texture2D texture{};
     };
     std::vector<UploadedShares> shares_;

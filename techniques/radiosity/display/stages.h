@@ -24,7 +24,7 @@ struct ShownLight {
 struct DirectShown {
     const PixelPicture* pixels = nullptr;
     const LightMap* map = nullptr;
-    bool isPreview = false; ///< of lights with an area the centres alone
+    bool isPreview = false; ///< of lights with an area the centres alone, or at first blocks of pixels
 };
 
 /// A frame, and the results to be shown in it.

@@ -30,6 +30,10 @@ void PixelLight::restart(const scene::Snapshot& snapshot, const trace::SeenFrom&
 }
 
 bool PixelLight::advance(const scene::Snapshot& snapshot, const View& view, Deadline deadline) {
+    return advancePreview(snapshot, view, deadline) && advanceLights(false, deadline);
+}
+
+bool PixelLight::advancePreview(const scene::Snapshot& snapshot, const View& view, Deadline deadline) {
     hasPreview_ = false;
     if (!tracer_.advance(snapshot, deadline)) return false;
     if (const trace::SeenFrom seenFrom(*snapshot, view.camera, view.size); !normals_ || seenFrom != seenFrom_) restart(snapshot, seenFrom);
@@ -43,14 +47,14 @@ bool PixelLight::advance(const scene::Snapshot& snapshot, const View& view, Dead
     const trace::EyeRays rays = tracer_.eyeRays(view.camera, view.size);
     seenBlocks_ = trace::parallelUntil(deadline, seenBlocks_, blocks.count(), [&](std::size_t block) { seeBlock(rays, block); });
     if (seenBlocks_ < blocks.count()) return false;
+    hasPreview_ = advanceLights(true, deadline);
+    return hasPreview_;
+}
 
-    const auto advanceAll = [&](bool onlyPreview) {
-        for (int light = 0; light < static_cast<int>(lights_.size()); ++light)
-            if (!advanceLight(light, onlyPreview, deadline)) return false;
-        return true;
-    };
-    hasPreview_ = advanceAll(true);
-    return hasPreview_ && advanceAll(false);
+bool PixelLight::advanceLights(bool onlyPreview, Deadline deadline) {
+    for (int light = 0; light < static_cast<int>(lights_.size()); ++light)
+        if (!advanceLight(light, onlyPreview, deadline)) return false;
+    return true;
 }
 
 /// True once the light has its shares or, if that is enough, a preview.

@@ -24,6 +24,8 @@ public:
     /// Recomputes what has changed (the scene, the eye, a light) until all is done (true) or the deadline has passed, but always does
     /// some work.
     bool advance(const scene::Snapshot& snapshot, const View& view, Deadline deadline);
+    /// The same until there is a preview.
+    bool advancePreview(const scene::Snapshot& snapshot, const View& view, Deadline deadline);
     /// Are the shares of all lights there, of those with an area at least the preview?
     [[nodiscard]] bool hasPreview() const { return hasPreview_; }
     /// Changes whenever the light's shares have become exact, or a preview.
@@ -64,6 +66,7 @@ private:
         std::uint64_t version = 0;
     };
     [[nodiscard]] trace::Blocks tiles() const;
+    bool advanceLights(bool onlyPreview, Deadline deadline);
     bool advanceLight(int light, bool onlyPreview, Deadline deadline);
     void restart(const scene::Snapshot& snapshot, const trace::SeenFrom& seenFrom);
     void seeBlock(const trace::EyeRays& rays, std::size_t block);

@@ -1,6 +1,7 @@
 // Radiosity in slices of time, as the window draws it: its picture is drawn again only where it would be another one.
 // SPDX-License-Identifier: MIT
 #include "app/context/assets.h"
+#include "app/lab/settings.h"
 #include "app/picture/session.h"
 #include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/scene/load/load.h"
@@ -56,18 +57,58 @@ TEST_F(RadiositySlicesTest, WhatHasNotChangedIsNotDrawnAgain) {
     EXPECT_FALSE(session.render(slices, view, slice()).result.passes.empty());
 }
 
+/// How many pixels differ by more than a tenth of the brightest one.
+std::ptrdiff_t unlike(const std::vector<vec4>& a, const std::vector<vec4>& b) {
+    float brightest = 0;
+    for (const vec4& texel : b)
+        brightest = std::max(brightest, texel.g);
+    std::ptrdiff_t count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        count += std::abs(a[i].g - b[i].g) > 0.1f * brightest;
+    return count;
+}
+
+// The first direct light is that of blocks of pixels: a sixteenth of the rays, and right but for the edges of shadows.
+TEST_F(RadiositySlicesTest, DirectLightComesFirstInBlocksOfPixels) {
+    const scene::Snapshot scene = scene::loadScene("sphere-on-plane", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
+    View view = viewOf(scene);
+    view.size = {94, 53}; // no whole number of blocks
+    picture::Session session(scene);
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot("radiosity"));
+    lab::applySettings(slots, {"radiosity.patches=4000"}); // enough to be seconds of work
+    picture::Slot& slot = slots.front();
+    std::vector<std::vector<vec4>> pictures; // with direct light, while patches are not there
+    std::vector<int> frames;
+    for (int frame = 1; pictures.size() < 2; ++frame) {
+        const std::vector<StageKey> passes = session.render(slot, view, slice()).result.passes;
+        if (std::ranges::find(passes, "direct", &StageKey::id) == passes.end()) continue;
+        ASSERT_EQ(std::ranges::find(passes, "solve", &StageKey::id), passes.end()) << "form factors are not there yet";
+        pictures.push_back(gl::readTexels(slot.target.color));
+        frames.push_back(frame);
+    }
+    EXPECT_LT(4 * frames[0], frames[1]) << "a sixteenth of the work, and some that both have in common";
+    FrameRequest ambient = slice();
+    ambient.stopAfter = StageKey{"emission"};
+    session.render(slot, view, ambient);
+    const std::vector<vec4> dark = gl::readTexels(slot.target.color);
+    EXPECT_GT(unlike(dark, pictures[1]), view.size.x * view.size.y / 2) << "most of it is lit";
+    EXPECT_LT(unlike(pictures[0], pictures[1]), view.size.x * view.size.y / 25);
+    EXPECT_GT(unlike(pictures[0], pictures[1]), 10) << "or they were not blocks";
+}
+
 // In the middle of the work a picture that ends after a pass is drawn into the same target: the whole one has to be drawn again over it.
 TEST_F(RadiositySlicesTest, AfterAPartOfThePictureTheWholeIsDrawnAgain) {
     const scene::Snapshot scene = cornellRoom();
     const View view = viewOf(scene);
     picture::Session session(scene);
     picture::Slot slot = picture::Session::makeSlot("radiosity");
-    bool hasDirect = false;
-    for (int notDrawn = 0; !hasDirect || notDrawn < 3;) {
+    bool isSolved = false;
+    for (int notDrawn = 0; !isSolved || notDrawn < 3;) {
         const picture::RenderedFrame frame = session.render(slot, view, slice());
         ASSERT_FALSE(frame.converged) << "there is work left while pixels gather";
         for (const StageKey& pass : frame.result.passes)
-            hasDirect = hasDirect || pass.id == "direct";
+            isSolved = isSolved || pass.id == "solve";
         notDrawn = frame.result.passes.empty() ? notDrawn + 1 : 0;
     }
     const std::vector<vec4> before = gl::readTexels(slot.target.color);
