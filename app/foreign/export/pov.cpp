@@ -2,6 +2,10 @@
 //
 // POV-Ray's world is left-handed by habit alone: its camera takes the vectors that it is given, so right, up and direction are those of
 // the scene and nothing is mirrored.
+//
+// Numbers are metres, and each length is multiplied by Metre, so that POV-Ray's unit is a centimetre. Its shadow rays pass over what stands
+// nearer than a thousandth of its unit (3.7.0.10: 0.00099 is passed over, 0.00101 is not). Were that a millimetre, one would see it
+// where a shadow begins at its caster.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
@@ -17,6 +21,10 @@
 namespace shadowlab::foreign {
 
 namespace {
+
+/// How many of POV-Ray's units a metre has, and its name in the file.
+constexpr double kUnitsPerMetre = 100;
+const std::string kMetre = " * Metre";
 
 std::string povVector(const dvec3& v) { return "<" + text(v) + ">"; }
 std::string povVector(const vec3& v) { return "<" + text(v) + ">"; }
@@ -49,6 +57,8 @@ std::string povHeader(const ExportJob& job) {
            "#macro Shines(Number) (One = 0 | One = Number | Picture = 1 | Picture = 2) #end\n"
            // A shadowless light has neither cone nor front. So the one keeps its kind, and in picture 2 objects cast nothing.
            "#macro Casts(Number) (Picture = 0 | Picture = 3 | One = Number) #end\n\n"
+           "// Units in a metre. Shadow rays pass over what stands nearer than a thousandth of a unit: a hundredth of a millimetre here.\n"
+           "#declare Metre = " + text(kUnitsPerMetre) + ";\n"
            "global_settings { assumed_gamma 1.0 ambient_light rgb 1 max_trace_level 12 }\n";
 }
 
@@ -57,7 +67,7 @@ std::string povEye(const PlainScene& scene) {
     const std::string height = text(2 * std::tan(glm::radians(eye.fovYDegrees) / 2));
     return "#if (White) background { rgbt <0, 0, 0, 1> } #else background { rgb " + povVector(dvec3(scene.background) * double(scene.exposure)) +
            " } #end\n"
-           "camera {\n  perspective\n  location " + povVector(eye.position) + "\n  direction " + povVector(-eye.back) + "\n  right " +
+           "camera {\n  perspective\n  location " + povVector(eye.position) + kMetre + "\n  direction " + povVector(-eye.back) + "\n  right " +
            povVector(eye.right) + " * " + height + " * image_width / image_height\n  up " + povVector(eye.up) + " * " + height + "\n}\n\n";
 }
 
@@ -72,34 +82,34 @@ dvec3 sunPlace(const PlainScene& scene, const scene::Light& light) {
 }
 
 std::string shapeOf(const scene::Light& light, const dvec3& place, bool isHard) {
-    if (light.type == scene::LightType::directional) return " parallel point_at " + povVector(place + light.directionWorld);
+    if (light.type == scene::LightType::directional) return " parallel point_at " + povVector(place + light.directionWorld) + kMetre;
     if (light.type == scene::LightType::spot) {
         const double half = light.coneDegrees / 2, full = isHard ? half : half - light.edgeDegrees;
-        return " spotlight point_at " + povVector(place + light.directionWorld) + " radius " + text(full) + " falloff " + text(half) + " tightness 0";
+        return " spotlight point_at " + povVector(place + light.directionWorld) + kMetre + " radius " + text(full) + " falloff " + text(half) + " tightness 0";
     }
     if (light.type == scene::LightType::rect) // to its front alone
-        return " spotlight point_at " + povVector(place + scene::rectNormalWorld(light)) + " radius 90 falloff 90 tightness " + (isHard ? "0" : "1"); // the cosine at the lamp
+        return " spotlight point_at " + povVector(place + scene::rectNormalWorld(light)) + kMetre + " radius 90 falloff 90 tightness " + (isHard ? "0" : "1"); // the cosine at the lamp
     return "";
 }
 
 std::string areaOf(const scene::Light& light) {
     if (light.type == scene::LightType::rect)
-        return " area_light " + povVector(light.edgeUWorld) + ", " + povVector(light.edgeVWorld) + ", 9, 9 adaptive 2 jitter";
+        return " area_light " + povVector(light.edgeUWorld) + kMetre + ", " + povVector(light.edgeVWorld) + kMetre + ", 9, 9 adaptive 2 jitter";
     if (light.type != scene::LightType::sphere) return "";
     const std::string across = text(2 * light.radius);
-    return " area_light <" + across + ", 0, 0>, <0, " + across + ", 0>, 9, 9 adaptive 2 jitter circular orient";
+    return " area_light <" + across + ", 0, 0>" + kMetre + ", <0, " + across + ", 0>" + kMetre + ", 9, 9 adaptive 2 jitter circular orient";
 }
 
 std::string povLight(const PlainScene& scene, std::size_t index) {
-    // POV-Ray weakens a light by 2 / (1 + (d / f)^2) at the distance d. With f this small that is 2 f^2 / d^2.
+    // POV-Ray weakens a light by 2 / (1 + (d / f)^2) at the distance d. With f this small, in metres, that is 2 f^2 / d^2.
     constexpr double kFade = 1e-3;
     const scene::Light& light = scene.lights[index];
     const bool isSun = light.type == scene::LightType::directional;
     const dvec3 place = isSun ? sunPlace(scene, light) : light.positionWorld;
     // Its diffuse reflection knows no 1 / pi: it is in the light.
     const dvec3 color = dvec3(light.color) * scene::pointIntensity(light) * double(scene.exposure) / glm::pi<double>();
-    const std::string start = "  light_source { " + povVector(place) + ", rgb ";
-    const std::string fade = isSun ? "" : " * " + text(0.5 / (kFade * kFade)) + " fade_distance " + text(kFade) + " fade_power 2";
+    const std::string start = "  light_source { " + povVector(place) + kMetre + ", rgb ";
+    const std::string fade = isSun ? "" : " * " + text(0.5 / (kFade * kFade)) + " fade_distance " + text(kFade) + kMetre + " fade_power 2";
     const std::string number = std::to_string(index + 1), shadow = " #if (!Casts(" + number + ")) shadowless #end }\n";
     return comment(light.name) + "#if (Shines(" + number + "))\n#if (White)\n" + start + "1" + shapeOf(light, place, true) + shadow + "#else\n" + start +
            povVector(color) + fade + shapeOf(light, place, false) + (scene::hasArea(light) ? " #if (Picture = 0)" + areaOf(light) + " #end" : "") + shadow +
@@ -178,7 +188,7 @@ std::string povMesh(const PlainMesh& mesh) {
     text_ += "  face_indices { " + std::to_string(mesh.triangles.size());
     for (const uvec3& triangle : mesh.triangles)
         text_ += ",\n<" + std::to_string(triangle.x) + ", " + std::to_string(triangle.y) + ", " + std::to_string(triangle.z) + ">";
-    return text_ + " }\n  material { Material_" + std::to_string(mesh.material + 1) + " }" + (mesh.castsShadow ? " #if (Picture = 2) no_shadow #end" : " no_shadow") + "\n}\n";
+    return text_ + " }\n  material { Material_" + std::to_string(mesh.material + 1) + " }" + (mesh.castsShadow ? " #if (Picture = 2) no_shadow #end" : " no_shadow") + "\n  scale Metre\n}\n";
 }
 
 void writePov(const ExportJob& job) {
@@ -230,7 +240,9 @@ std::string howToPov(const PlainScene& scene, ivec2 size) {
         text_ += start + "+UA +Iscene.pov Declare=Picture=3" + of + "+Ovisibility-" + words[i] + ".png\n";
     }
     return text_ + "\nPictures are sRGB with 16 bits a channel. `-A` leaves antialiasing out, so that each pixel is the ray through its centre. In "
-                   "pictures 1 to 3 a light with an area is a point at its centre; in picture 3 normals are those of the triangles.\n";
+                   "pictures 1 to 3 a light with an area is a point at its centre; in picture 3 normals are those of the triangles. "
+                   "The file counts in metres and multiplies each length by `Metre`, 100 of POV-Ray's units, because its shadow rays pass over what stands "
+                   "nearer than a thousandth of its unit.\n";
 }
 
 } // namespace
