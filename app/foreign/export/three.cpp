@@ -1,4 +1,4 @@
-// For three.js: one page that draws the scene (assets/foreign/three.html.in), with or without the library in it.
+// For three.js: one page that draws the scene (assets/foreign/three.html.in, three_rays.js), with or without the library in it.
 // SPDX-License-Identifier: MIT
 #include "app/foreign/export/format.h"
 #include "app/foreign/export/left_out.h"
@@ -35,6 +35,7 @@ std::string modules(const std::filesystem::path& file) {
 void writeThree(const ExportJob& job) {
     std::string page = templateText("three.html.in");
     page = filledIn(std::move(page), "FILE", job.stem + ".html");
+    page = filledIn(std::move(page), "RAYS", templateText("three_rays.js"));
     page = filledIn(std::move(page), "THREE", job.threeModule.empty() ? "" : modules(job.threeModule));
     // The scene last: its names may hold any characters.
     page = filledIn(std::move(page), "SCENE", plainSceneJson(job.scene, job.size, ImagesAs::dataUrls));
@@ -43,11 +44,12 @@ void writeThree(const ExportJob& job) {
 
 std::vector<std::string> leftOutOfThree(const PlainScene& scene) {
     LeftOut list(scene);
-    list.add("exact shadows: three.js has shadow maps, of 4096 x 4096 texels for directional lights and spots and 2048 x 2048 for each side of the "
-             "cube around a point light (`?map=N` sets another number)");
+    list.add("exact shadows, where `shadows=rays` is not asked for: three.js has shadow maps, of 4096 x 4096 texels for directional lights and spots and "
+             "2048 x 2048 for each side of the cube around a point light (`?map=N` sets another number)");
     list.lights([](const scene::Light& light) { return scene::hasArea(light); },
                 "is a point at its centre, with a sharp shadow; its strength falls off as that of a point");
-    list.soften("the soft edge of the cone falls off with the cosine; for `visibility` the cone ends where it ends here");
+    list.lights([](const scene::Light& light) { return light.type == scene::LightType::rect; }, "without `shadows=rays` it has no cosine at the lamp");
+    list.soften("without `shadows=rays` the soft edge of the cone falls off with the cosine; for `visibility` the cone ends where it ends here");
     list.materials(isMirror, "mirrors nothing");
     list.materials(isGlass, "lets nothing through");
     list.materials(hasHighlight, "the highlight grows toward grazing angles (Schlick's Fresnel term)");
@@ -69,11 +71,15 @@ std::string howToThree(const PlainScene& scene, ivec2 size) {
     for (const std::string& light : words)
         for (const char* picture : {"shaded", "unshadowed", "visibility"})
             text += std::string("    scene.html?picture=") + picture + "&light=" + light + "&size=" + pixels + "\n";
+    if (!words.empty())
+        text += "\nThese have the shadow maps of three.js. With `&shadows=rays` at the end of an address shadows are found by rays, in double precision: one "
+                "through the centre of each pixel, and one from the surface that it meets to the light. So no texel decides, and the picture holds against the truth; "
+                "it takes some seconds. Surfaces are shaded by three.js either way, and what mirrors or lets light through is not drawn.\n";
     text += "\nIn place of these words the page takes the names of lights as well; other signs than letters and digits are to be percent-encoded in an address.\n";
     if (words.empty()) return text + kCanvas;
     return text + "\nWithout a window, for example with Chromium, the page that is printed holds the picture as a `data:` URL:\n\n"
                   "    chromium --headless --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=60000 --dump-dom \\\n"
-                  "        \"file://$PWD/scene.html?picture=visibility&light=" + words.front() + "&size=" + pixels + "\" | grep -o 'href=\"data:[^\"]*' | cut -d , -f 2 | base64 -d > "
+                  "        \"file://$PWD/scene.html?picture=visibility&shadows=rays&light=" + words.front() + "&size=" + pixels + "\" | grep -o 'href=\"data:[^\"]*' | cut -d , -f 2 | base64 -d > "
                   "visibility-" + words.front() + ".png\n" +
            kCanvas;
 }

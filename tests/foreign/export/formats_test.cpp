@@ -173,6 +173,12 @@ TEST(ExportFormats, ThePageForThreeCarriesTheSceneAndItsImages) {
         EXPECT_EQ(count(page, "<script"), count(page, "</script>"));
         EXPECT_EQ(count(page, "three-module\">"), 0u); // no library was given
         EXPECT_FALSE(scene::contains(page, "http"));   // nothing is fetched from elsewhere
+        EXPECT_EQ(count(page, "@"), 0u) << "a mark that was not filled in";
+        EXPECT_EQ(count(page, "function pictureByRays("), 1u);
+        EXPECT_EQ(count(page, "canvas = pictureByRays("), 1u);
+        const std::string readme = content(folder / "README.md");
+        EXPECT_EQ(scene::contains(readme, "With `&shadows=rays` at the end of an address"), !plain.lights.empty());
+        EXPECT_EQ(count(readme, "picture=visibility&shadows=rays&light=" + plain.lights.front().name), 1u) << "the command for the judged picture";
     });
 }
 
@@ -182,6 +188,20 @@ std::string withoutComments(const std::string& file) {
     for (std::string line; std::getline(lines, line);)
         if (!line.starts_with("//")) code += line + "\n";
     return code;
+}
+
+/// Each length of camera and lights, and each mesh, is multiplied by Metre: one that is not would stand a hundred times nearer than the rest.
+void expectLengthsInMetres(const std::string& code, const PlainScene& plain) {
+    EXPECT_EQ(count(code, "#declare Metre = 100;\n"), 1u);
+    EXPECT_EQ(count(code, "\n  scale Metre\n}"), plain.meshes.size());
+    const std::regex length("(?:location|light_source \\{|point_at|fade_distance|area_light) (?:<[^>]*>|[^ ]+)( \\* Metre)?(, <[^>]*>( \\* Metre)?)?");
+    std::size_t lengths = 0;
+    const std::string beforeMeshes = code.substr(0, code.find("mesh2 {"));
+    for (std::sregex_iterator at(beforeMeshes.begin(), beforeMeshes.end(), length), none; at != none; ++at) {
+        EXPECT_TRUE((*at)[1].matched && (*at)[2].matched == (*at)[3].matched) << at->str();
+        ++lengths;
+    }
+    EXPECT_GE(lengths, 1 + 3 * plain.lights.size()); // the eye's; two places of each light, and where it is directed or fades
 }
 
 TEST(ExportFormats, ThePovRayFileIsBalancedAndHasAllTriangles) {
@@ -201,6 +221,7 @@ TEST(ExportFormats, ThePovRayFileIsBalancedAndHasAllTriangles) {
         }
         EXPECT_GE(triangles, 14u);
         EXPECT_TRUE(scene::contains(file, "location <" + text(plain.eye.position) + ">"));
+        expectLengthsInMetres(code, plain);
         EXPECT_EQ(count(file, "light_source {"), 2 * plain.lights.size()); // as it is, and white
         const auto casters = static_cast<std::size_t>(std::ranges::count_if(plain.meshes, [](const PlainMesh& m) { return m.castsShadow; }));
         EXPECT_EQ(count(file, " no_shadow\n"), plain.meshes.size() - casters);
@@ -271,7 +292,7 @@ TEST(ExportFormats, TheReadmeNamesWhatThisSceneLosesAndNothingElse) {
     const PlainScene odd = plainScene(*oddScene()), plain = plainScene(*scene::loadScene("sphere-on-plane", loading()));
     const std::vector<std::pair<const Format*, std::vector<const char*>>> expected{
         {&kBlender, {"never shadowed", "along another curve", "by its surface", "Beckmann", "GGX", "no priority"}},
-        {&kThree, {"shadow maps", "is a point at its centre", "mirrors nothing", "lets nothing through", "Schlick"}},
+        {&kThree, {"shadow maps", "is a point at its centre", "no cosine", "with the cosine", "mirrors nothing", "lets nothing through", "Schlick"}},
         {&kPov, {"never shadowed", "shines to all sides", "9 x 9", "both sides", "no cosine", "clear", "lets light through"}},
         {&kMitsuba, {"pixel centres", "ambient light", "background", "exposure", "casts no shadow", "never shadowed", "no highlight", "Fresnel"}},
         {&kGltf, {"ambient light", "background", "exposure", "casts no shadow", "never shadowed", "spot of half a turn", "index of refraction"}}};
