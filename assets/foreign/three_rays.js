@@ -1,5 +1,5 @@
 // Shadows by rays, for shadows=rays: the ray of each pixel finds a point of a surface, and a ray from there to a light whether anything stands
-// between. Both meet triangles by THREE.Ray, in double precision. Shading is that of three.js, each light drawn by itself.
+// between. Both meet triangles by THREE.Ray, in double precision. Shading is that of three.js, each light drawn by itself, at the points that were found.
 
 const LEAF = 4; // triangles in a box that is not halved again; boxes for less cost more than they save
 
@@ -15,32 +15,39 @@ function solidTexels(image) {
 
 function trianglesOf(mesh, images) {
   const vectors = (text, size) => {
-    const all = numbers(text);
+    const all = numbers(text ?? "");
     return Array.from({length: all.length / size}, (_, i) => size === 3 ? vector(all.slice(3 * i, 3 * i + 3)) : new THREE.Vector2(...all.slice(2 * i, 2 * i + 2)));
   };
-  const positions = vectors(mesh.positions, 3), {holes, image, clamped} = SCENE.materials[mesh.material];
-  const mask = holes && {solid: solidTexels(images[image]), width: images[image].width, height: images[image].height, clamped};
-  const places = mask && vectors(mesh.texcoords, 2);
-  return vectors(mesh.triangles, 3).map(({x, y, z}) => {
-    const [a, b, c] = [x, y, z].map(corner => positions[corner]);
-    const plane = new THREE.Plane().setFromCoplanarPoints(a, b, c);
-    return {mesh, a, b, c, plane, mask, places: mask && [places[x], places[y], places[z]]};
+  const {holes, image: number, clamped} = SCENE.materials[mesh.material], image = images[number];
+  const surface = {normal: vectors(mesh.normals, 3), uv: vectors(mesh.texcoords, 2), color: vectors(mesh.colors, 3),
+                   mask: holes && {solid: solidTexels(image), width: image.width, height: image.height, clamped}};
+  const positions = vectors(mesh.positions, 3);
+  return vectors(mesh.triangles, 3).map(numbersOfCorners => {
+    const corners = numbersOfCorners.toArray(), [a, b, c] = corners.map(corner => positions[corner]);
+    return {mesh, surface, corners, a, b, c, sum: a.clone().add(b).add(c), plane: new THREE.Plane().setFromCoplanarPoints(a, b, c)};
   });
 }
+
+// What a surface has at a place of its triangle: its normal, uv or color.
+const interpolated = ({surface, corners, a, b, c}, name, place) => {
+  const values = corners.map(corner => surface[name][corner]);
+  return THREE.Triangle.getInterpolation(place, a, b, c, ...values, values[0].clone());
+};
 
 // A tree of boxes: of triangles in their order along the box's longest side one half goes into each of two smaller boxes.
 function boxesOf(triangles) {
   const box = new THREE.Box3().setFromPoints(triangles.flatMap(({a, b, c}) => [a, b, c]));
   if (triangles.length <= LEAF) return {box, triangles};
   const size = box.getSize(new THREE.Vector3()), axis = ["x", "y", "z"].reduce((longest, axis) => size[axis] > size[longest] ? axis : longest);
-  const sorted = triangles.toSorted((p, q) => p.a[axis] + p.b[axis] + p.c[axis] - q.a[axis] - q.b[axis] - q.c[axis]), half = sorted.length >> 1;
+  const sorted = triangles.toSorted((p, q) => p.sum[axis] - q.sum[axis]), half = sorted.length >> 1; // a sum of corners is three times the middle
   return {box, halves: [boxesOf(sorted.slice(0, half)), boxesOf(sorted.slice(half))]};
 }
 
 // The nearest texel decides, as in the page's alpha map.
-function isInHole({a, b, c, mask, places}, place) {
+function isInHole(triangle, place) {
+  const mask = triangle.surface.mask;
   if (!mask) return false;
-  const at = THREE.Triangle.getInterpolation(place, a, b, c, ...places, new THREE.Vector2());
+  const at = interpolated(triangle, "uv", place);
   const texel = (share, count) => {
     const index = Math.floor(share * count);
     return mask.clamped ? THREE.MathUtils.clamp(index, 0, count - 1) : THREE.MathUtils.euclideanModulo(index, count);
@@ -69,7 +76,7 @@ function seenPoints(boxes) {
     let seen = null, depth = Infinity;
     meets(boxes, new THREE.Ray(eye, direction.normalize()), (triangle, place) => {
       const ahead = place.clone().sub(eye).dot(forward);
-      if (ahead > near && ahead < depth) [seen, depth] = [{triangle, place, isFront: triangle.plane.distanceToPoint(eye) > 0}, ahead];
+      if (ahead > near && ahead < depth) [seen, depth] = [{pixel, triangle, place, isFront: triangle.plane.distanceToPoint(eye) > 0}, ahead];
     });
     return seen;
   });
@@ -98,6 +105,25 @@ function isBlocked(boxes, rounding, light, {triangle: {mesh}, place: from}) {
   });
 }
 
+// Draws the points that were found on one side of a mesh, each at the centre of its pixel. The mesh itself could cover the centre by a hair
+// more or less than the ray meets.
+function addPoints(world, mesh, isFront, points, images) {
+  const geometry = new THREE.BufferGeometry();
+  const attribute = (name, size, value) => geometry.setAttribute(name, new THREE.Float32BufferAttribute(points.flatMap(value), size));
+  attribute("position", 3, ({place}) => place.toArray());
+  attribute("normal", 3, ({triangle, place}) => interpolated(triangle, "normal", place).multiplyScalar(isFront ? 1 : -1).toArray());
+  for (const [name, size, list] of [["uv", 2, mesh.texcoords], ["color", 3, mesh.colors]])
+    if (list) attribute(name, size, ({triangle, place}) => interpolated(triangle, name, place).toArray());
+  attribute("centre", 2, ({pixel}) => [2 * (pixel % width + 0.5) / width - 1, 1 - 2 * (Math.floor(pixel / width) + 0.5) / height]);
+  const source = SCENE.materials[mesh.material], shines = source.emission && (isFront || source.emits !== "front");
+  const made = material({...source, holes: false}, images, Boolean(mesh.colors), THREE.FrontSide, {radiance: shines ? source.emission : [0, 0, 0]});
+  made.onBeforeCompile = shader => {
+    shader.vertexShader = "attribute vec2 centre;\n" + shader.vertexShader.replace("#include <project_vertex>",
+      "#include <project_vertex>\ngl_Position = vec4(centre, 0.0, 1.0);\ngl_PointSize = 1.0;");
+  };
+  world.add(Object.assign(new THREE.Points(geometry, made), {frustumCulled: false}));
+}
+
 // One lamp of three.js for a light, without cone, front and shadow: shareOf has the first two.
 function bareLight({type, color: shade, intensity, pointIntensity, direction, position}) {
   const strength = (pointIntensity ?? intensity) * exposure;
@@ -114,6 +140,11 @@ function pictureByRays(renderer, world, camera, images, shining, shadowing) {
     return share > 0 && shadowing.has(light) && isBlocked(triangles, rounding, light, point) ? 0 : share;
   };
   if (white) return shown(renderer, pixel => points[pixel] ? Array(3).fill(arriving(shining[0], points[pixel]) > 0 ? 255 : 0) : null);
+  for (const mesh of SCENE.meshes)
+    for (const isFront of [true, false]) {
+      const found = points.filter(point => point && point.triangle.mesh === mesh && point.isFront === isFront);
+      if (found.length) addPoints(world, mesh, isFront, found, images);
+    }
   const dark = linearPixels(renderer, world, camera), sum = Float64Array.from(dark); // ambient light and what shines by itself
   for (const light of shining) {
     const lamp = bareLight(light);
