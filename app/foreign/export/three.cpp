@@ -48,7 +48,8 @@ std::vector<std::string> leftOutOfThree(const PlainScene& scene) {
              "2048 x 2048 for each side of the cube around a point light (`?map=N` sets another number)");
     list.lights([](const scene::Light& light) { return scene::hasArea(light); },
                 "is a point at its centre, with a sharp shadow; its strength falls off as that of a point");
-    list.lights([](const scene::Light& light) { return light.type == scene::LightType::rect; }, "without `shadows=rays` it has no cosine at the lamp");
+    list.lights([](const scene::Light& light) { return light.type == scene::LightType::rect; },
+                "without `shadows=rays` it has no cosine at the lamp, and in `look` the sheet that keeps its light to its front shadows other lights as well");
     list.soften("without `shadows=rays` the soft edge of the cone falls off with the cosine; for `visibility` the cone ends where it ends here");
     list.materials(isMirror, "mirrors nothing");
     list.materials(isGlass, "lets nothing through");
