@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/foreign/camera_code.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/load/message_text.h"
 #include "techniques/foundation/scene/model/shapes.h"
@@ -26,10 +27,16 @@ dvec3 anglesDegrees(const dmat3& worldFromObject) {
     return glm::degrees(dvec3(x, y, z));
 }
 
-double distanceOf(const scene::Camera& camera) {
+double distanceOf(const scene::Camera& camera, bool isFar) {
     // Twice the near plane keeps rounding from clipping; the far plane clips in renderers that have one.
     const double wanted = glm::length(camera.targetWorld - camera.positionWorld);
-    return std::min(std::max(wanted, 2 * camera.near), std::max(0.5 * camera.far, 1.01 * camera.near));
+    const double usual = std::min(std::max(wanted, 2 * camera.near), std::max(0.5 * camera.far, 1.01 * camera.near));
+    // Half as far again: from a place that is off by a hundredth of the distance, far squares move a pixel less than near ones.
+    return isFar ? std::min(1.5 * usual, 0.5 * (usual + camera.far)) : usual;
+}
+
+double metresPerPixelAt(double distance, const scene::Camera& camera, ivec2 size) {
+    return 2 * distance * std::tan(glm::radians(camera.fovYDegrees) / 2) / size.y;
 }
 
 } // namespace
@@ -49,11 +56,15 @@ BoardLayout boardLayout(ivec2 size) {
                                               std::to_string(kLeastBoardSide) + " pixels on each side");
     const dvec2 whole(size);
     BoardLayout board;
-    // The largest that leave the corners and the wedge free; steps of a fifth are seen at a glance.
-    constexpr std::array kSides{0.22, 0.17, 0.14, 0.11};
-    for (std::size_t i = 0; i < kSides.size(); ++i) {
+    // The largest that leave the corners, the wedge and the small squares free; steps of a fifth are seen at a glance.
+    constexpr std::array kSides{0.18, 0.15, 0.12, 0.1};
+    constexpr double kSmallSide = 0.06; // four pixels of the smallest picture
+    for (std::size_t i = 0; i < 4; ++i) {
         const dvec2 corner(i % 2 == 0 ? -1 : 1, i < 2 ? -1 : 1);
-        board.squares[i] = {0.5 * whole + corner * dvec2(0.34, 0.32) * whole, dvec2(kSides[i] * least), kTurnedDegrees, dvec3(1.0)};
+        const bool isFar = i == 1 || i == 2;
+        board.squares[i] = {0.5 * whole + corner * dvec2(0.34, 0.32) * whole, dvec2(kSides[i] * least), kTurnedDegrees, dvec3(1.0), isFar};
+        // Whole in a picture that shows half of the view.
+        board.squares[i + 4] = {0.5 * whole + corner * dvec2(0.2, 0.16) * whole, dvec2(kSmallSide * least), kTurnedDegrees, dvec3(1.0), !isFar};
     }
     const auto between = [](double left, double right, double top, double bottom, const dvec3& radiance) {
         const dvec2 from = glm::round(dvec2(left, top)), to = glm::max(glm::round(dvec2(right, bottom)), from + 1.0);
@@ -67,7 +78,21 @@ BoardLayout boardLayout(ivec2 size) {
         board.channels[i] = between(start, start + 0.08 * whole.x, 0.66 * whole.y, 0.76 * whole.y,
                                     {kChannelPatches[i][0], kChannelPatches[i][1], kChannelPatches[i][2]});
     }
+    const double codeLeft = 0.3 * whole.x, codeTop = 0.79 * whole.y;
+    constexpr int kColumns = 8; // the cells are three pixels wide in the smallest picture
+    const dvec2 cell = dvec2(0.4, 0.17) * whole / dvec2(kColumns, 2.0 * kCodeBits / kColumns);
+    for (int bit = 0; bit < kCodeBits; ++bit)
+        for (int row = 0; row < 2; ++row) {
+            const double x = codeLeft + bit % kColumns * cell.x, y = codeTop + (bit / kColumns * 2 + row) * cell.y;
+            board.code[static_cast<std::size_t>(bit)][static_cast<std::size_t>(row)] = between(x, x + cell.x, y, y + cell.y, dvec3(1.0));
+        }
     return board;
+}
+
+dvec3 placeInView(const BoardPatch& patch, const scene::Camera& camera, ivec2 size) {
+    const double distance = distanceOf(camera, patch.isFar), metresPerPixel = metresPerPixelAt(distance, camera, size);
+    const dvec2 offsetPx = patch.centrePx - 0.5 * dvec2(size);
+    return {offsetPx.x * metresPerPixel, -offsetPx.y * metresPerPixel, -distance};
 }
 
 scene::Scene calibrationBoard(const scene::Camera& camera, ivec2 size) {
@@ -75,10 +100,11 @@ scene::Scene calibrationBoard(const scene::Camera& camera, ivec2 size) {
     scene::Scene scene;
     scene.name = "calibration";
     scene.camera = camera;
-    const double distance = distanceOf(camera), halfHeight = distance * std::tan(glm::radians(camera.fovYDegrees) / 2);
-    const double metresPerPixel = 2 * halfHeight / size.y;
     const dmat3 worldFromView = glm::transpose(dmat3(scene::viewFromWorld(camera)));
-    const std::vector<BoardPatch> patches = board.all();
+    std::vector<BoardPatch> patches = board.all();
+    const unsigned code = cameraCode(camera, size);
+    for (std::size_t bit = 0; bit < board.code.size(); ++bit)
+        patches.push_back(board.code[bit][code >> bit & 1 ? 0 : 1]);
     for (std::size_t i = 0; i < patches.size(); ++i) {
         const BoardPatch& patch = patches[i];
         scene::Material material;
@@ -92,7 +118,7 @@ scene::Scene calibrationBoard(const scene::Camera& camera, ivec2 size) {
         const double angle = glm::radians(patch.turnedDegrees);
         const dvec3 right = worldFromView * dvec3(std::cos(angle), std::sin(angle), 0.0), towardEye = worldFromView[2];
         const dmat3 worldFromQuad(right, towardEye, glm::cross(right, towardEye));
-        const dvec2 offsetPx = patch.centrePx - 0.5 * dvec2(size), sizeMetres = patch.sizePx * metresPerPixel;
+        const dvec2 sizeMetres = patch.sizePx * metresPerPixelAt(distanceOf(camera, patch.isFar), camera, size);
         scene::Object object;
         object.name = material.name;
         object.mesh = std::make_shared<scene::Mesh>(scene::makeQuad(sizeMetres));
@@ -104,8 +130,7 @@ scene::Scene calibrationBoard(const scene::Camera& camera, ivec2 size) {
                          .material = material.name,
                          .normals = {},
                          .rotateDegrees = anglesDegrees(worldFromQuad),
-                         .translateWorld = camera.positionWorld +
-                                           worldFromView * dvec3(offsetPx.x * metresPerPixel, -offsetPx.y * metresPerPixel, -distance)};
+                         .translateWorld = camera.positionWorld + worldFromView * placeInView(patch, camera, size)};
         object.worldFromObject = scene::worldFromObjectOf(object.source);
         scene.objects.push_back(std::move(object));
     }

@@ -7,98 +7,13 @@
 
 #include "app/foreign/board_search.h"
 #include "app/foreign/calibration_words.h"
+#include "app/foreign/camera_code.h"
+#include "app/foreign/camera_fit.h"
+#include "app/foreign/seen_squares.h"
 
 namespace shadowlab::foreign {
 
 namespace {
-
-double greyAt(const image::Image& picture, int x, int y) {
-    const image::Color8 color = picture.at(x, y);
-    return (color.r + color.g + color.b) / (3 * 255.0);
-}
-
-/// Where the board's middle and axes are seen, in pixels.
-struct Placement {
-    dvec2 centrePx{0.0};
-    dvec2 perX{1.0, 0.0}, perY{0.0, 1.0}; ///< what a pixel of the board to the right, and down, is in the picture
-    [[nodiscard]] dvec2 operator()(const dvec2& fromMiddlePx) const {
-        return centrePx + fromMiddlePx.x * perX + fromMiddlePx.y * perY;
-    }
-};
-
-/// Centre of gravity of what is brighter than its surroundings in a box; nothing where the box leaves the picture.
-std::optional<dvec2> centreOfGravity(const image::Image& picture, const dvec2& centrePx, const dvec2& halfPx) {
-    const ivec2 from(glm::floor(centrePx - halfPx)), to(glm::ceil(centrePx + halfPx));
-    if (from.x < 0 || from.y < 0 || to.x > picture.width || to.y > picture.height) return std::nullopt;
-    double most = 0, least = 1;
-    for (int y = from.y; y < to.y; ++y)
-        for (int x = from.x; x < to.x; ++x) {
-            most = std::max(most, greyAt(picture, x, y));
-            least = std::min(least, greyAt(picture, x, y));
-        }
-    // Noise of the background is left out; the square is all white, so what remains is symmetric.
-    constexpr double kNoise = 0.08;
-    dvec2 sum(0.0);
-    double weight = 0;
-    for (int y = from.y; y < to.y; ++y)
-        for (int x = from.x; x < to.x; ++x) {
-            const double share = (greyAt(picture, x, y) - least) / std::max(most - least, 1e-9);
-            if (share < kNoise) continue;
-            // Coverage is a share of light, so the number is decoded first; a wrong curve changes both sides of a square alike.
-            const double light = image::linearFromEncoded(share);
-            sum += light * dvec2(x + 0.5, y + 0.5);
-            weight += light;
-        }
-    if (weight <= 0) return std::nullopt;
-    return sum / weight;
-}
-
-struct SeenSquare {
-    dvec2 boardPx{0.0}, seenPx{0.0}; ///< from the middle of the board, and in the picture
-};
-
-std::vector<SeenSquare> squaresSeen(const image::Image& picture, const BoardLayout& board, ivec2 size, const Placement& placed,
-                                    double marginPx) {
-    std::vector<SeenSquare> seen;
-    const double turned = glm::radians(kTurnedDegrees);
-    for (const BoardPatch& square : board.squares) {
-        const dvec2 scale(glm::length(placed.perX), glm::length(placed.perY));
-        const dvec2 half = 0.5 * square.sizePx * (std::cos(turned) + std::sin(turned)) * scale;
-        const dvec2 fromMiddle = square.centrePx - 0.5 * dvec2(size);
-        std::optional<dvec2> centre = placed(fromMiddle);
-        constexpr int kSteps = 4; // each brings the box nearer to the square
-        for (int step = 0; step < kSteps && centre; ++step)
-            centre = centreOfGravity(picture, *centre, half + marginPx);
-        if (centre) seen.push_back({fromMiddle, *centre});
-    }
-    return seen;
-}
-
-/// Least squares: seen = centre + x perX + y perY. Two squares give scale and shift only.
-Placement fitted(const std::vector<SeenSquare>& seen, const Placement& before) {
-    Placement placed = before;
-    if (seen.size() >= 3) {
-        dmat3 normal(0.0);
-        dvec3 right[2] = {dvec3(0.0), dvec3(0.0)};
-        for (const SeenSquare& one : seen) {
-            const dvec3 row(1.0, one.boardPx);
-            normal += glm::outerProduct(row, row);
-            for (int axis = 0; axis < 2; ++axis)
-                right[axis] += row * one.seenPx[axis];
-        }
-        const dmat3 inverse = glm::inverse(normal);
-        const dvec3 x = inverse * right[0], y = inverse * right[1];
-        return {{x[0], y[0]}, {x[1], y[1]}, {x[2], y[2]}};
-    }
-    for (int axis = 0; axis < 2 && seen.size() == 2; ++axis) {
-        const double board = seen[1].boardPx[axis] - seen[0].boardPx[axis];
-        const double scale = std::abs(board) > 1 ? (seen[1].seenPx[axis] - seen[0].seenPx[axis]) / board
-                                                 : (axis == 0 ? placed.perX.x : placed.perY.y);
-        (axis == 0 ? placed.perX.x : placed.perY.y) = scale;
-        placed.centrePx[axis] = seen[0].seenPx[axis] - scale * seen[0].boardPx[axis];
-    }
-    return placed;
-}
 
 /// The middle of a patch's numbers, per channel; nothing outside the picture.
 std::optional<dvec3> numberOf(const image::Image& picture, const BoardPatch& patch, ivec2 size, const Placement& placed) {
@@ -121,6 +36,25 @@ std::optional<dvec3> numberOf(const image::Image& picture, const BoardPatch& pat
         middle[static_cast<int>(channel)] = numbers[channel][numbers[channel].size() / 2];
     }
     return middle;
+}
+
+/// The code that the cells show; nothing where of any bit neither cell is much brighter than the other, or one lies outside.
+std::optional<std::uint16_t> codeOf(const image::Image& picture, const BoardLayout& board, ivec2 size, const Placement& placed) {
+    unsigned code = 0;
+    for (std::size_t bit = 0; bit < board.code.size(); ++bit) {
+        double bright[2];
+        for (std::size_t row = 0; row < 2; ++row) {
+            const dvec2 centre = placed(board.code[bit][row].centrePx - 0.5 * dvec2(size));
+            if (centre.x < 0 || centre.y < 0 || centre.x >= size.x || centre.y >= size.y) return std::nullopt;
+            const auto number = numberOf(picture, board.code[bit][row], size, placed);
+            if (!number) return std::nullopt;
+            bright[row] = (number->x + number->y + number->z) / 3;
+        }
+        constexpr double kPlainly = 0.25; // white is at least a half, whatever the curve, and grey backgrounds are dark
+        if (std::abs(bright[0] - bright[1]) < kPlainly) return std::nullopt;
+        if (bright[0] > bright[1]) code |= 1u << bit;
+    }
+    return static_cast<std::uint16_t>(code);
 }
 
 struct WedgeStep {
@@ -190,19 +124,24 @@ Calibration readCalibration(const image::Image& picture, const scene::Camera& ca
         return found;
     }
     const image::Image upright = putUpright(picture, match.orientation);
-    Placement placed{0.5 * dvec2(size), {match.scale.x, 0.0}, {0.0, match.scale.y}};
+    Placement placed{(0.5 + match.shift) * dvec2(size), {match.scale.x, 0.0}, {0.0, match.scale.y}};
     const double least = std::min(size.x, size.y);
     // First with room for what the search leaves open, then with a pixel or two for antialiasing.
     std::vector<SeenSquare> seen;
+    std::optional<Placement> measured;
     for (const double margin : {std::max(0.04 * least, 2.0), 2.0}) {
-        seen = squaresSeen(upright, board, size, placed, margin);
-        placed = fitted(seen, placed);
+        seen = wholeSquares(upright, board, size, placed, margin);
+        measured = fitted(bestOf(seen), size);
+        placed = measured.value_or(placed);
     }
-    if (seen.size() >= 2) {
+    found.wholeSquares = static_cast<int>(seen.size());
+    if (measured) {
         found.shiftPx = placed.centrePx - 0.5 * dvec2(size);
         found.scale = {glm::length(placed.perX), glm::length(placed.perY)};
         found.turnDegrees = glm::degrees(std::atan2(0.5 * (placed.perY.x - placed.perX.y), 0.5 * (placed.perX.x + placed.perY.y)));
     }
+    if (measured && !isPlane(seen, placed, size)) found.camera = fittedCamera(seen, board, camera, size);
+    found.code = codeOf(upright, board, size, placed);
     std::vector<WedgeStep> wedge;
     for (std::size_t i = 0; i < board.wedge.size(); ++i)
         if (const auto number = numberOf(upright, board.wedge[i], size, placed))
@@ -214,9 +153,21 @@ Calibration readCalibration(const image::Image& picture, const scene::Camera& ca
 
     // In the order in which they are to be mended: a shift is measured rightly only in a picture of the right scale.
     if (found.orientation != Orientation{}) add(orientationFault(found.orientation));
-    if (const auto fault = viewFault(found, camera, size)) add(*fault);
-    if (const auto fault = turnFault(found, placed.perX, placed.perY, size)) add(*fault);
-    if (const auto fault = shiftFault(found)) add(*fault);
+    const std::uint16_t code = cameraCode(camera, size);
+    if (found.code && *found.code != code) {
+        // What is seen of another board says nothing of the camera that saw it.
+        add(otherBoardFault(*found.code, code));
+    } else if (!measured) {
+        add(cutFault(found.wholeSquares, static_cast<int>(board.squares.size())));
+    } else if (const auto fault = cameraFault(found.camera, worstMissPx(seen, placed), camera, size)) {
+        add(*fault);
+    } else {
+        if (const auto fault = viewFault(found, camera, size)) add(*fault);
+        if (const auto fault = turnFault(found, placed.perX, placed.perY, size)) add(*fault);
+        if (const auto fault = shiftFault(found)) add(*fault);
+        // Where all is in its place the cells are, too.
+        if (!found.code && found.faults.empty()) add(noCodeFault());
+    }
     if (const auto fault = encodingFault(found)) add(*fault);
     if (const auto fault = channelFault(channels)) add(*fault);
     return found;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/foreign/causes.h"
 #include "app/picture/verdict_reasons.h"
 
 namespace shadowlab::foreign {
@@ -14,8 +15,13 @@ using picture::fixed;
 
 std::string sizeText(ivec2 size) { return std::to_string(size.x) + " x " + std::to_string(size.y); }
 
-/// What is seen in the picture's corner instead of what belongs there moves by more pixels than this: less is measuring.
-constexpr double kLeastCornerPx = 0.3;
+std::string codeText(std::uint16_t code) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text;
+    for (int shift = 12; shift >= 0; shift -= 4)
+        text += kDigits[code >> shift & 15];
+    return text;
+}
 
 } // namespace
 
@@ -27,6 +33,9 @@ std::string_view toText(CalibrationFault fault) {
     case CalibrationFault::shift: return "shift";
     case CalibrationFault::view: return "view";
     case CalibrationFault::turn: return "turn";
+    case CalibrationFault::camera: return "camera";
+    case CalibrationFault::otherBoard: return "other-board";
+    case CalibrationFault::cut: return "cut";
     case CalibrationFault::encoding: return "encoding";
     case CalibrationFault::channels: return "channels";
     }
@@ -54,6 +63,23 @@ FoundFault strangerFault(double likeness) {
             "draw the scene 'calibration' that `shadowlab export` writes beside the scene, from the same camera"};
 }
 
+FoundFault otherBoardFault(std::uint16_t seen, std::uint16_t wanted) {
+    return {CalibrationFault::otherBoard,
+            "is of a board that was made for another camera or another shape of the picture (its cells say " + codeText(seen) + "; this camera has " + codeText(wanted) + ")",
+            "export the scene again, with the view and the size that are judged, and draw the board that is written beside it"};
+}
+
+FoundFault noCodeFault() {
+    return {CalibrationFault::otherBoard, "shows no code of a camera: of each two cells at its bottom one should be white and one black",
+            "draw the board that this version of `shadowlab export` writes, as it is"};
+}
+
+FoundFault cutFault(int whole, int all) {
+    return {CalibrationFault::cut, "shows the board too large or too far aside to be measured: of its " + std::to_string(all) + " squares " + std::to_string(whole) +
+                                       (whole == 1 ? " lies" : " lie") + " in it as a whole, the picture's edge cuts off the others",
+            "see first that the vertical angle of view and the aspect are those of the scene's camera, and where the camera stands and looks"};
+}
+
 FoundFault orientationFault(const Orientation& orientation) {
     std::string remedy = "write its rows from the top and its columns from the left";
     if (!orientation.swapsAxes && orientation.mirrorsY && !orientation.mirrorsX) remedy = "write its rows from the top: OpenGL reads them from the bottom";
@@ -63,9 +89,7 @@ FoundFault orientationFault(const Orientation& orientation) {
 
 std::optional<FoundFault> viewFault(const Calibration& found, const scene::Camera& camera, ivec2 size) {
     const dvec2 scale = found.scale, corner = glm::abs(scale - 1.0) * 0.5 * dvec2(size);
-    // Without squares the scale is only known to a hundredth.
-    const double least = found.shiftPx ? kLeastCornerPx : 0.01 * size.x;
-    if (corner.x < least && corner.y < least) return std::nullopt;
+    if (corner.x < kLeastCornerPx && corner.y < kLeastCornerPx) return std::nullopt;
     const double aspect = static_cast<double>(size.x) / size.y, even = std::sqrt(scale.x * scale.y);
     const auto isNear = [](double a, double b) { return std::abs(a / b - 1) < 0.02; }; // of scales as far apart as these
     FoundFault fault{CalibrationFault::view, "", ""};
@@ -89,6 +113,36 @@ std::optional<FoundFault> viewFault(const Calibration& found, const scene::Camer
         fault.what = "shows everything " + fixed(even, 3) + " times as large as it should be: the vertical angle of view is about " + fixed(fovY, 1) + " degrees";
         fault.remedy = "use a vertical angle of view of " + fixed(camera.fovYDegrees, 4) + " degrees, and the scene's camera position";
     }
+    return fault;
+}
+
+std::optional<FoundFault> cameraFault(const std::optional<FittedCamera>& fit, double missPx, const scene::Camera& camera, ivec2 size) {
+    const std::string misses = "has the board's squares up to " + fixed(missPx, 1) + " pixels from where ";
+    constexpr const char* kStraight = "draw it by straight rays from one point: no lens, no depth of field, no distortion";
+    if (!fit) {
+        if (missPx < kLeastCornerPx) return std::nullopt; // a shear is said as such
+        return FoundFault{CalibrationFault::camera, misses + "a camera at the right place would show them", std::string("take the position of the scene's camera, and ") + kStraight};
+    }
+    if (fit->worstPx >= kLeastCornerPx) {
+        if (missPx < kLeastCornerPx) return std::nullopt;
+        return FoundFault{CalibrationFault::camera, misses + "a pinhole camera would show them", kStraight};
+    }
+    const double distance = glm::length(camera.targetWorld - camera.positionWorld), metres = glm::length(fit->movedWorld);
+    // What is less is what measuring leaves of the seven numbers: so much in a picture of 180 rows, and more in a smaller one.
+    const double smaller = std::max(180.0 / std::min(size.x, size.y), 1.0);
+    const double leastShare = 0.004 * smaller, leastDegrees = 0.15 * smaller;
+    std::vector<std::string> parts;
+    if (metres > leastShare * distance)
+        parts.push_back("it stands " + metresText(metres) + " from the scene's, moved by (" + fixed(fit->movedWorld.x, 3) + ", " + fixed(fit->movedWorld.y, 3) + ", " +
+                        fixed(fit->movedWorld.z, 3) + ") m");
+    if (fit->awayDegrees > leastDegrees) parts.push_back("it looks " + fixed(fit->awayDegrees, 1) + " degrees past where it should");
+    if (std::abs(fit->rolledDegrees) > leastDegrees) parts.push_back("it is rolled by " + fixed(fit->rolledDegrees, 1) + " degrees");
+    if (std::abs(fit->fovYDegrees - camera.fovYDegrees) > 2 * leastDegrees)
+        parts.push_back("its vertical angle of view is about " + fixed(fit->fovYDegrees, 1) + " degrees instead of " + fixed(camera.fovYDegrees, 1));
+    if (parts.empty()) return std::nullopt;
+    FoundFault fault{CalibrationFault::camera, "was drawn from another camera:", "take the position, the target, the up vector and the angle of the scene's camera"};
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        fault.what += (i == 0 ? " " : i + 1 == parts.size() ? ", and " : ", ") + parts[i];
     return fault;
 }
 

@@ -12,6 +12,15 @@ namespace {
 using foreign::Calibration;
 using foreign::JudgedPicture;
 
+/// Of the camera that is told by the squares, which may be no pinhole at all: `worstPx` says it.
+Json fittedCameraJson(const foreign::FittedCamera& camera) {
+    return {{"movedWorld", vectorJson(camera.movedWorld)},
+            {"awayDegrees", camera.awayDegrees},
+            {"rolledDegrees", camera.rolledDegrees},
+            {"fovYDegrees", camera.fovYDegrees},
+            {"worstPx", camera.worstPx}};
+}
+
 Json calibrationJson(const Calibration& calibration) {
     Json faults = Json::array();
     for (const foreign::FoundFault& fault : calibration.faults)
@@ -21,8 +30,11 @@ Json calibrationJson(const Calibration& calibration) {
             {"likeness", calibration.likeness},
             {"orientation", textJson(foreign::toText(calibration.orientation))},
             {"shiftPx", calibration.shiftPx ? vectorJson(*calibration.shiftPx) : Json(nullptr)},
-            {"scale", vectorJson(calibration.scale)},
-            {"turnDegrees", calibration.turnDegrees},
+            {"scale", calibration.shiftPx ? vectorJson(calibration.scale) : Json(nullptr)},
+            {"turnDegrees", calibration.shiftPx ? Json(calibration.turnDegrees) : Json(nullptr)},
+            {"wholeSquares", calibration.wholeSquares},
+            {"code", calibration.code ? Json(*calibration.code) : Json(nullptr)},
+            {"camera", calibration.camera ? fittedCameraJson(*calibration.camera) : Json(nullptr)},
             {"encoding", calibration.curve ? Json(foreign::toText(*calibration.curve)) : Json(nullptr)},
             {"encodingErrorLevels", calibration.curveError},
             {"exposure", calibration.exposure}};
