@@ -132,8 +132,9 @@ void addCone(const Evidence& evidence, std::vector<Cause>& causes) {
     constexpr double kStepDegrees = 0.5;
     for (double half = 180; half > 0; half -= half > 90 ? 90 : kStepDegrees) {
         Predictions tried = withoutCone;
+        // Outside of it neither picture of a pair has the light, so they are the same there, as where there is no surface.
         for (std::size_t i = 0; i < tried.size(); ++i)
-            if (degrees[i] > half && tried[i] == Prediction::lit) tried[i] = Prediction::dark;
+            if (degrees[i] > half) tried[i] = ofBackground(evidence, evidence.samples[i]);
         if (const double found = explained(evidence, tried); found > most) most = found, best = half, cause.predictions = std::move(tried);
     }
     cause.what = (best > 90 ? std::string("the spot shines in all directions, without its cone") : "the spot's cone is another: " + picture::fixed(2 * best, 0) + " degrees wide instead of " + picture::fixed(source.coneDegrees, 0)) +

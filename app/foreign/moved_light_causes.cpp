@@ -92,9 +92,9 @@ public:
             const std::vector<double> wide = patternSearch(none, std::max(distance / 2, 0.25 * sceneSize()), distance / 8192, costOf);
             if (costOf(wide) < costOf(by)) by = wide;
         }
-        // With all samples, in steps from about a tenth of what is found.
+        // With all samples, in steps from a quarter of what is found: how far it is moved along its rays shows in few pixels.
         const double length = std::hypot(by[0], by[1], isDirection_ ? 0.0 : by[2]);
-        by = patternSearch(by, std::max(length / 8, distance / 8192), std::max(length / 64, distance / 65536), [&](const std::vector<double>& to) { return costIn(evidence_, to); });
+        by = patternSearch(by, std::max(length / 4, distance / 8192), std::max(length / 128, distance / 65536), [&](const std::vector<double>& to) { return costIn(evidence_, to); });
         add(by, distance, causes);
     }
 
@@ -107,14 +107,18 @@ private:
             all.include(one);
         return isDirection_ || all.isEmpty() ? 0 : glm::length(all.upperWorld - all.lowerWorld);
     }
-    /// Metres, or of a direction radians about two axes.
+    /// Metres along the way to the target and across it, since what explains about as much lies along that way; or of a direction radians about two
+    /// axes.
     [[nodiscard]] scene::Light movedBy(const std::vector<double>& by) const {
         scene::Light moved = source_;
         if (isDirection_) {
             const dvec3 aside = perpendicularTo(source_.directionWorld), across = glm::cross(source_.directionWorld, aside);
             moved.directionWorld = glm::normalize(source_.directionWorld + by[0] * aside + by[1] * across);
-        } else
-            moved.positionWorld += dvec3(by[0], by[1], by[2]);
+        } else {
+            const dvec3 way = evidence_.camera.targetWorld - source_.positionWorld;
+            const dvec3 along = glm::length(way) > 0 ? glm::normalize(way) : dvec3(0, -1, 0), aside = perpendicularTo(along);
+            moved.positionWorld += by[0] * along + by[1] * aside + by[2] * glm::cross(along, aside);
+        }
         return moved;
     }
     [[nodiscard]] static bool isAllDark(const Predictions& predictions) {
@@ -125,7 +129,7 @@ private:
     void add(const std::vector<double>& by, double distance, std::vector<Cause>& causes) const {
         Cause cause{"light-displaced", "", "", withLight(evidence_, movedBy(by), casts_)};
         if (isAllDark(cause.predictions)) return; // a light behind a wall makes all dark
-        const dvec3 offset(by[0], by[1], isDirection_ ? 0.0 : by[2]);
+        const dvec3 offset = isDirection_ ? dvec3(by[0], by[1], 0.0) : movedBy(by).positionWorld - source_.positionWorld;
         // A light far away from its place explains much by chance.
         constexpr double kPlausible = 0.1; // of the distance
         cause.likelihood = glm::length(offset) < kPlausible * distance ? 0.98 : 0.75;

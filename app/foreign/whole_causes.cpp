@@ -1,6 +1,7 @@
 // Mistakes that make all of a picture alike, or turn light into shadow everywhere.
 // SPDX-License-Identifier: MIT
 #include "app/foreign/causes.h"
+#include "app/picture/verdict_reasons.h"
 
 namespace shadowlab::foreign {
 
@@ -28,9 +29,9 @@ void addWholeCauses(const Evidence& evidence, std::vector<Cause>& causes) {
     constexpr double kOfDescriptions = 0.9; // what predicts the same and says why goes before
     constexpr double kNearlyNone = 0.002; // of all pixels that face the light
     if (dark < kNearlyNone * (lit + dark)) {
-        Cause none{"no-shadows", "no shadow is drawn at all: " + percentText(lit / (lit + dark)) + " of what faces the light is lit",
+        Cause none{"no-shadows", (dark > 0 ? "hardly any shadow is drawn: " + picture::fixed(100 * lit / (lit + dark), 2) + " %" : "no shadow is drawn at all: all") + " of what faces the light is lit",
                    "see that casters are drawn into the map or the volumes, that counts are not all negative (wrong winding, or a test that never fails)", {}};
-        none.likelihood = kSeenPlainly;
+        if (dark == 0) none.likelihood = kSeenPlainly; // the little that is dark may be all that one caster shades
         none.predictions = predictAll(evidence, [&](const Sample& sample) { return predicted(facing(sample)); });
         addWhole(evidence, std::move(none), causes);
     }

@@ -37,7 +37,7 @@ public:
         up_ = cross(right_, forward_);
         light_ = scene.isSun ? unit(unit(scene.light) + settings.lightOffset) : scene.light + settings.lightOffset;
         for (const Tri& tri : scene.triangles)
-            casts_.push_back(tri.thing != settings.withoutThing && !(settings.cullsCasters && side(tri, towardLight(tri.a)) < 0));
+            casts_.push_back(tri.thing != settings.withoutThing && (settings.onlyThing < 0 || tri.thing == settings.onlyThing) && !(settings.cullsCasters && side(tri, towardLight(tri.a)) < 0));
         if (settings.method == Method::map) drawMap();
         if (settings.method == Method::zfail || settings.method == Method::zpass) buildVolumes();
     }
@@ -66,7 +66,7 @@ public:
         const Vec toLight = towardLight(point);
         const double cosine = dot(normal, unit(toLight)), albedo = scene_.things[static_cast<std::size_t>(tri.thing)].albedo;
         Seen seen{true, 0, 0, scene_.ambient * albedo};
-        if (cosine <= 0) return seen;
+        if (cosine <= 0 || !isInCone(toLight)) return seen;
         seen.added = albedo / 3.14159265358979323846 * scene_.intensity * cosine / (scene_.isSun ? 1 : dot(toLight, toLight));
         seen.visible = isLit(point, hit, way) ? 1 : 0;
         return seen;
@@ -80,25 +80,31 @@ private:
     }
     [[nodiscard]] Vec towardLight(Vec point) const { return scene_.isSun ? Vec{} - light_ : light_ - point; }
 
+    [[nodiscard]] bool isInCone(Vec toLight) const {
+        if (set_.coneDegrees >= 360) return true;
+        return dot(unit(Vec{} - toLight), unit(scene_.target - scene_.light)) >= std::cos(set_.coneDegrees * 3.14159265358979323846 / 360);
+    }
     [[nodiscard]] bool isLit(Vec point, const Hit& hit, Vec eyeWay) const {
         switch (set_.method) {
-        case Method::rays: {
-            const Vec way = towardLight(point);
-            if (!scene_.isSun && length(way) > set_.lightFar) return true;
-            for (std::size_t i = 0; i < scene_.triangles.size(); ++i) {
-                if (static_cast<int>(i) == hit.tri || !casts_[i]) continue;
-                const double t = meet(scene_.triangles[i], point, way);
-                if (!scene_.isSun && (1 - t) * length(way) < set_.lightNear) continue;
-                if (t > 1e-10 && t < (scene_.isSun ? kNone : 1) && t * length(way) > set_.bias) return false;
-            }
-            return true;
-        }
-        case Method::map: return mapSays(point);
+        case Method::rays: return raysSay(point, hit);
+        case Method::map: return mapSays(point, hit);
         case Method::zfail:
         case Method::zpass: {
             const int count = countOf(hit, eyeWay);
             return set_.asksGreaterZero ? count <= 0 : count == 0;
         }
+        }
+        return true;
+    }
+
+    [[nodiscard]] bool raysSay(Vec point, const Hit& hit) const {
+        const Vec way = towardLight(point);
+        if (!scene_.isSun && length(way) > set_.lightFar) return true;
+        for (std::size_t i = 0; i < scene_.triangles.size(); ++i) {
+            if (static_cast<int>(i) == hit.tri || !casts_[i] || (!set_.selfShadows && scene_.triangles[i].thing == scene_.triangles[static_cast<std::size_t>(hit.tri)].thing)) continue;
+            const double t = meet(scene_.triangles[i], point, way);
+            if (!scene_.isSun && (1 - t) * length(way) < set_.lightNear) continue;
+            if (t > 1e-10 && t < (scene_.isSun ? kNone : 1) && t * length(way) > set_.bias) return false;
         }
         return true;
     }
@@ -118,7 +124,8 @@ private:
         mapRight_ = unit(cross(mapForward_, std::abs(mapForward_.y) > 0.9 ? Vec{1, 0, 0.2} : Vec{0, 1, 0.1}));
         mapUp_ = cross(mapRight_, mapForward_);
         mapOrigin_ = scene_.isSun ? centre - (4 * radius) * mapForward_ : light_;
-        mapHalf_ = scene_.isSun ? radius : radius / length(centre - light_) * 1.1;
+        mapHalf_ = (scene_.isSun ? radius : radius / length(centre - light_) * 1.1) * set_.mapPart;
+        if (set_.raysInMap) return;
         const std::size_t n = static_cast<std::size_t>(set_.texels);
         map_.assign(n * n, kNone);
         for (std::size_t i = 0; i < scene_.triangles.size(); ++i) {
@@ -153,11 +160,12 @@ private:
         place[1] = (dot(from, mapUp_) / (w * mapHalf_) + 1) / 2 * set_.texels;
         return true;
     }
-    [[nodiscard]] bool mapSays(Vec point) const {
+    [[nodiscard]] bool mapSays(Vec point, const Hit& hit) const {
         double place[2];
-        if (!placeInMap(point, place)) return true;
+        if (!placeInMap(point, place)) return !set_.darkOutside;
         const int x = static_cast<int>(std::floor(place[0])), y = static_cast<int>(std::floor(place[1]));
-        if (x < 0 || y < 0 || x >= set_.texels || y >= set_.texels) return true;
+        if (x < 0 || y < 0 || x >= set_.texels || y >= set_.texels) return !set_.darkOutside;
+        if (set_.raysInMap) return raysSay(point, hit);
         return dot(point - mapOrigin_, mapForward_) - set_.bias <= map_[static_cast<std::size_t>(y) * static_cast<std::size_t>(set_.texels) + static_cast<std::size_t>(x)];
     }
 

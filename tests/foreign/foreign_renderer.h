@@ -32,6 +32,12 @@ struct Settings {
     bool reversed = false;        ///< fronts are taken for backs
     bool normalsToViewer = true;  ///< else only fronts are lit
     int withoutThing = -1;        ///< that casts no shadow
+    int onlyThing = -1;           ///< that alone casts shadows
+    bool selfShadows = true;      ///< else a thing casts no shadow on itself; of rays
+    double mapPart = 1;           ///< of the map's width that there is
+    bool darkOutside = false;     ///< of the map; else lit
+    bool raysInMap = false;       ///< rays within the map instead of its depths
+    double coneDegrees = 360;     ///< between opposite sides of the light's cone, about the way to the target
     double lightNear = 0;         ///< metres, of rays: casters nearer to the light cast no shadow
     double lightFar = 1e30;       ///< metres, of rays: what lies farther from the light is lit
     int samples = 1;              ///< n x n a pixel

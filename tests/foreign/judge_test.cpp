@@ -3,11 +3,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "app/foreign/judged_picture.h"
 #include "techniques/foundation/base/error.h"
-#include "techniques/foundation/scene/load/load.h"
-#include "tests/foreign/foreign_renderer.h"
-#include "tests/foundation/scene/scene_files.h"
+#include "tests/foreign/staged_pictures.h"
 
 #include <memory>
 #include <tuple>
@@ -17,52 +14,6 @@ namespace {
 
 using foreign_renderer::Curve;
 using foreign_renderer::Method;
-using foreign_renderer::Pictures;
-using foreign_renderer::Settings;
-
-image::Image imageOf(const foreign_renderer::Picture& picture) {
-    image::Image image(picture.width, picture.height);
-    for (std::size_t i = 0; i < picture.grey.size(); ++i)
-        for (std::size_t channel = 0; channel < 4; ++channel)
-            image.rgba[4 * i + channel] = channel == 3 ? 255 : picture.grey[i];
-    return image;
-}
-
-struct Staged {
-    foreign_renderer::Scene own;
-    scene::Snapshot scene;
-};
-
-/// The scenes, each loaded by the program from the files that are written for it.
-const std::vector<Staged>& staged() {
-    static const std::vector<Staged> all = [] {
-        std::vector<Staged> made;
-        for (foreign_renderer::Scene& own : foreign_renderer::scenes()) {
-            const scene::TempFolder folder;
-            for (const auto& [name, content] : foreign_renderer::filesOf(own))
-                folder.write(name, content);
-            scene::Snapshot loaded = scene::loadScene((folder.path() / "scene.json").string(), {});
-            made.push_back({std::move(own), std::move(loaded)});
-        }
-        return made;
-    }();
-    return all;
-}
-
-std::string said(const JudgedPicture& judged) {
-    const judge::Counts& counts = judged.errors.judgement.counts;
-    std::string text = "false lit " + std::to_string(counts.falseLit) + ", false shadow " + std::to_string(counts.falseShadow) + ", core " + std::to_string(judged.core) +
-                       ", ties " + std::to_string(counts.ties) + ", not judged " + std::to_string(judged.found.notJudged) + "\n";
-    for (const NamedCause& cause : judged.diagnosis.causes)
-        text += "  " + cause.id + " (" + std::to_string(cause.explained) + ", " + std::to_string(cause.explainedInRegion) + "): " + cause.what + "\n";
-    return text;
-}
-
-JudgedPicture judgedVisibility(const Staged& stage, const Pictures& pictures) { return judgePicture(stage.scene, 0, truthOfLight(stage.scene->light(0)), imageOf(pictures.visibility), nullptr); }
-JudgedPicture judgedPair(const Staged& stage, const Pictures& pictures) {
-    const image::Image reference = imageOf(pictures.unshadowed);
-    return judgePicture(stage.scene, 0, truthOfLight(stage.scene->light(0)), imageOf(pictures.shaded), &reference);
-}
 
 struct Mistake {
     const char* name;
