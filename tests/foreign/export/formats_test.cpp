@@ -107,7 +107,7 @@ TEST(ExportFormats, GltfIsReadBackAsTheSameScene) {
             if (b.type == scene::LightType::spot) EXPECT_NEAR(a.coneDegrees, b.coneDegrees, 1e-6);
         }
         const scene::Snapshot board = scene::loadScene((folder / "calibration.glb").string(), loading());
-        EXPECT_EQ(scene::triangleCount(*board), 2u * 17u); // 4 squares, 10 greys, 3 colours
+        EXPECT_EQ(scene::triangleCount(*board), 2u * 37u); // 8 squares, 10 greys, 3 colours, and 16 cells of the code
     });
     EXPECT_GE(triangles, 200'000u);
 }
