@@ -96,7 +96,7 @@ void DrawnDeck::draw(course::SlidePainter& painter, const std::string& madeBy, c
     if (const course::Unfinished unfinished(options_.output, deck_.name()); unfinished.isForeign())
         note(scene::shownPath(unfinished.file()) + ": is none of ours, so an interrupted run would begin again; move it away");
     const auto labs = static_cast<int>(std::ranges::count_if(states_, [](int states) { return states > 0; }));
-    if (labs > 0)
+    if (options_.explores)
         explored_ = std::make_unique<ExploredDeck>(options_.output, deck_.name(), options_.exploreBytes, labs, options_.look.supersample);
     std::vector<course::PageSlide> pages;
     for (std::size_t i = 0; i < deck_.slides().size(); ++i) {

@@ -50,7 +50,7 @@ private:
     course::Deck deck_;
     const SlidesOptions& options_;
     std::vector<int> states_;              ///< of each slide: how many states its lab has; 0: it is a picture
-    std::unique_ptr<ExploredDeck> explored_; ///< where there are labs
+    std::unique_ptr<ExploredDeck> explored_; ///< with --explore
     int stood_ = 0;
     ExitStatus worst_ = ExitStatus::ok;
 };

@@ -146,12 +146,7 @@ TEST(ForeignJudgeTest, AMissingConeIsNamed) {
     int cases = 0;
     for (const Staged& stage : staged()) {
         if (stage.own.isSun) continue;
-        auto spot = std::make_shared<scene::Scene>(*stage.scene);
-        scene::Light& light = spot->lights[0];
-        light.type = scene::LightType::spot;
-        light.directionWorld = glm::normalize(spot->camera.targetWorld - light.positionWorld);
-        light.coneDegrees = 30;
-        const Staged other{stage.own, spot};
+        const Staged other = underASpot(stage);
         expectNamed(judgedVisibility(other, foreign_renderer::render(stage.own, {})), "cone", stage.own.name);
         ++cases;
     }

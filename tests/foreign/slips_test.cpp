@@ -144,18 +144,13 @@ TEST(ForeignSlipsTest, ASmallMoveOfTheLightIsToldWithItsDistance) {
     EXPECT_EQ(cases, 24);
 }
 
-/// The scene's light is a spot of 30 degrees. In a pair no light is expected outside of it, so only what the picture's cone lacks can be seen there, and of that
+/// In a pair no light is expected outside of it, so only what the picture's cone lacks can be seen there, and of that
 /// only shadows: the other picture lacks the light, too.
 TEST(ForeignSlipsTest, AnotherConeIsToldWithItsAngle) {
     int cases = 0;
     for (const Staged& stage : staged()) {
         if (stage.own.isSun) continue;
-        auto spot = std::make_shared<scene::Scene>(*stage.scene);
-        scene::Light& light = spot->lights[0];
-        light.type = scene::LightType::spot;
-        light.directionWorld = glm::normalize(spot->camera.targetWorld - light.positionWorld);
-        light.coneDegrees = 30;
-        const Staged other{stage.own, spot};
+        const Staged other = underASpot(stage);
         for (const double degrees : {15.0, 28.0, 45.0}) {
             Settings settings;
             settings.coneDegrees = degrees;

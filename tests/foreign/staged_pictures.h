@@ -1,6 +1,7 @@
 // The scenes of another renderer (foreign_scenes.h) as the program reads them, and that renderer's pictures as the program judges them.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,16 @@ inline const std::vector<Staged>& staged() {
         return made;
     }();
     return all;
+}
+
+/// The scene whose light is a spot of 30 degrees, which lights a part of the picture. The other renderer's scene stays as it is.
+inline Staged underASpot(const Staged& stage) {
+    auto spot = std::make_shared<scene::Scene>(*stage.scene);
+    scene::Light& light = spot->lights[0];
+    light.type = scene::LightType::spot;
+    light.directionWorld = glm::normalize(spot->camera.targetWorld - light.positionWorld);
+    light.coneDegrees = 30;
+    return {stage.own, spot};
 }
 
 inline std::string said(const JudgedPicture& judged) {
