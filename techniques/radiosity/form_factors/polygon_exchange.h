@@ -2,8 +2,8 @@
 //
 // The inner integral, from a point to all of the other polygon, is Lambert's formula (point_form_factor.h). The outer one, over
 // the points of the first polygon, is Gauss quadrature. Where the polygons touch, the integrand is not smooth at the ends of the
-// common edge, and pieces are subdivided there until the sum converges. Axis-aligned rectangles have a closed form
-// (rectangle_exchange.h).
+// common edge, and pieces are subdivided there until the sum converges: so many that polygons which are near go along their edges instead
+// (outline_exchange.h). Axis-aligned rectangles have a closed form (rectangle_exchange.h).
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/radiosity/patches/polygon.h"
@@ -19,7 +19,7 @@ struct Exchange {
 /// `tolerance`, as far as rounding allows: 1e-14 of the smaller polygon's area is noise.
 Exchange unoccludedExchange(const Polygon& a, const Polygon& b, double tolerance = 1e-7);
 
-/// The same by quadrature alone, to test the closed forms.
+/// The same by quadrature over the area alone, to test the others.
 Exchange exchangeByQuadrature(const Polygon& a, const Polygon& b, double tolerance = 1e-7);
 
 } // namespace shadowlab::radiosity
