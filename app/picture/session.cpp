@@ -24,7 +24,10 @@ Slot Session::makeSlot(std::string_view techniqueId) {
 
 RenderedFrame Session::render(Slot& slot, const View& view, const FrameRequest& request) {
     buffers_.update(snapshot_);
-    if (slot.target.size() != view.size) slot.target = gl::Target(view.size, slot.info->id);
+    if (slot.target.size() != view.size) {
+        slot.target = gl::Target(view.size, slot.info->id);
+        slot.passes = 0;
+    }
 
     RenderedFrame rendered;
     const Clock::time_point start = Clock::now();
@@ -46,6 +49,10 @@ RenderedFrame Session::render(Slot& slot, const View& view, const FrameRequest& 
         rendered.frameMs = elapsedMs(start);
         rendered.result = frame.takeResult();
         ++sampled.sample;
+        // In a hurry, what a pass has drawn for the first time is shown before anything gets better.
+        const bool hasMore = rendered.result.passes.size() > slot.passes;
+        if (const std::size_t passes = rendered.result.passes.size(); passes > 0) slot.passes = passes;
+        if (hasMore && request.deadline != Deadline::max()) break;
     } while (!rendered.converged && request.refine && Clock::now() < request.deadline);
     return rendered;
 }

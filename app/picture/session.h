@@ -18,6 +18,7 @@ struct Slot {
     std::unique_ptr<Technique> technique;
     params::ParamList params;
     gl::Target target;
+    std::size_t passes = 0;       ///< that have drawn what the target holds
     gl::FinishedPicture finished; ///< where a frame goes of which nothing but the picture is wanted
 };
 

@@ -43,6 +43,9 @@ public:
     Progress render(Frame& frame) override {
         // Direct light first: until the room is prepared it is all there is to show.
         std::optional<DirectShown> found = params_.showsPixels() ? advanceDirect(frame, frame.deadline()) : std::nullopt;
+        const bool hasShownPatches = uploadedRoom_ != 0;
+        if (const bool isFirst = !found || found->isFirst; isFirst && params_.showsPixels() && !hasShownPatches)
+            return drawBeforehand(frame, found, solution_.done());
         if (!solution_.advanceRoom(frame.snapshot(), params_, frame.deadline()) || !solution_.advanceDrawnFormFactors(params_, frame.deadline()))
             return drawBeforehand(frame, found, solution_.done());
         if (uploadedRoom_ != solution_.cache().version()) picture_.setCells(solution_.cache().cells());
@@ -128,7 +131,7 @@ private:
         if (params_.direct == RadiosityParams::Direct::pixels) {
             const bool isComplete = pixels_.advanceDirect(frame.snapshot(), frame.view(), deadline);
             if (!pixels_.hasDirect()) return std::nullopt;
-            return DirectShown{&pixels_, nullptr, !isComplete};
+            return DirectShown{&pixels_, nullptr, !isComplete, pixels_.hasNewBlocks()};
         }
         if (params_.direct == RadiosityParams::Direct::lightMap) {
             if (!lightMap_.advance(frame.snapshot(), solution_.cache(), static_cast<std::size_t>(params_.lightMapPoints), deadline))

@@ -23,20 +23,31 @@ gl::Texture2D uploaded(GLenum internalFormat, GLenum format, ivec2 size, const v
 bool PixelPicture::advanceDirect(const scene::Snapshot& snapshot, const View& view, Deadline deadline) {
     View ofBlocks = view;
     ofBlocks.size = (view.size + kFirstBlockSide - 1) / kFirstBlockSide;
-    const bool isHurried = deadline != Deadline::max();
-    if (isHurried && !blocks_.advancePreview(snapshot, ofBlocks, deadline)) return false;
+    hasNewBlocks_ = false;
+    if (const bool isHurried = deadline != Deadline::max()) {
+        if (!blocks_.advancePreview(snapshot, ofBlocks, deadline)) return false;
+        hasNewBlocks_ = blocks_.version() != blocksVersion_;
+        blocksVersion_ = blocks_.version();
+        if (hasNewBlocks_) {
+            uploadDirect(blocks_);
+            return false;
+        }
+    }
     const bool isComplete = direct_.advance(snapshot, view, deadline);
-    const PixelLight& shown = direct_.hasPreview() ? direct_ : blocks_;
+    uploadDirect(direct_.hasPreview() ? direct_ : blocks_);
+    return isComplete;
+}
+
+void PixelPicture::uploadDirect(const PixelLight& shown) {
     static_assert(sizeof(PixelLight::Share) == 2 * sizeof(float));
-    shares_.resize(snapshot->lights.size());
-    for (int light = 0; light < static_cast<int>(snapshot->lights.size()); ++light)
-        if (UploadedShares& shares = shares_[static_cast<std::size_t>(light)];
-            shares.version != shown.version(light) || shares.ofBlocks != (&shown == &blocks_)) {
-            shares = {shown.version(light), &shown == &blocks_, &shown == &blocks_ || shown.isPreview(light),
+    const bool ofBlocks = &shown == &blocks_;
+    shares_.resize(shown.lights());
+    for (int light = 0; light < static_cast<int>(shares_.size()); ++light)
+        if (UploadedShares& shares = shares_[static_cast<std::size_t>(light)]; shares.version != shown.version(light) || shares.ofBlocks != ofBlocks) {
+            shares = {shown.version(light), ofBlocks, ofBlocks || shown.isPreview(light),
                       uploaded(GL_RG32F, GL_RG, shown.size(), shown.sharesFromBelow(light).data(), "radiosity: direct light of pixels")};
             ++version_;
         }
-    return isComplete;
 }
 
 bool PixelPicture::advanceGather(const GatherSolution& solution, std::size_t rays, Deadline deadline) {

@@ -14,11 +14,14 @@ namespace shadowlab::radiosity {
 
 class PixelPicture {
 public:
-    /// Finds the direct light. True when it is complete. In a hurry blocks of 4 x 4 pixels ask first, together.
+    /// Finds the direct light. True when it is complete. In a hurry blocks of 4 x 4 pixels ask first, together; once they have answers it returns, so
+    /// that these are shown before anything else is asked.
     bool advanceDirect(const scene::Snapshot& snapshot, const View& view, Deadline deadline);
     /// Can direct light be shown? Before it is complete, that of lights with an area comes from their centres, and at first that of all
     /// lights in blocks of pixels.
     [[nodiscard]] bool hasDirect() const { return direct_.hasPreview() || blocks_.hasPreview(); }
+    /// Did the last call return because of that?
+    [[nodiscard]] bool hasNewBlocks() const { return hasNewBlocks_; }
     /// Gathers for each pixel, once direct light is complete. True when each has sent so many rays.
     bool advanceGather(const GatherSolution& solution, std::size_t rays, Deadline deadline);
     /// Gathers for some pixels, and shares. True when all have their irradiance.
@@ -40,10 +43,13 @@ public:
     void drawVisibility(const Frame& frame, int light) const;
 
 private:
+    void uploadDirect(const PixelLight& shown);
     void upload(const std::vector<vec4>& irradianceFromBelow);
     void useForLight(const Frame& frame, const gl::Program& program, int light) const;
 
     PixelLight direct_, blocks_; ///< of each pixel; of each block
+    std::uint64_t blocksVersion_ = 0; ///< of the last blocks that were new
+    bool hasNewBlocks_ = false;
     PixelGather gather_;
     SharedGather shared_;
     /// Of what is on the graphics card: who has gathered it, and his version.

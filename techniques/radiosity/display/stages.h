@@ -25,6 +25,7 @@ struct DirectShown {
     const PixelPicture* pixels = nullptr;
     const LightMap* map = nullptr;
     bool isPreview = false; ///< of lights with an area the centres alone, or at first blocks of pixels
+    bool isFirst = false;   ///< those blocks, and just found: to be shown before anything else is asked
 };
 
 /// A frame, and the results to be shown in it.

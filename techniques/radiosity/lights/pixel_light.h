@@ -30,6 +30,9 @@ public:
     [[nodiscard]] bool hasPreview() const { return hasPreview_; }
     /// Changes whenever the light's shares have become exact, or a preview.
     [[nodiscard]] std::uint64_t version(int light) const { return lights_[static_cast<std::size_t>(light)].version; }
+    /// Changes whenever that of some light does.
+    [[nodiscard]] std::uint64_t version() const { return version_; }
+    [[nodiscard]] std::size_t lights() const { return lights_.size(); }
     /// Of a light with an area: does only its centre count, as a point?
     [[nodiscard]] bool isPreview(int light) const;
 

@@ -97,6 +97,30 @@ TEST_F(RadiositySlicesTest, DirectLightComesFirstInBlocksOfPixels) {
     EXPECT_GT(unlike(pictures[0], pictures[1]), 10) << "or they were not blocks";
 }
 
+// A slice may be long: what it shows first is shown before it is over.
+TEST_F(RadiositySlicesTest, AFirstPictureEndsItsSlice) {
+    const scene::Snapshot scene = cornellRoom();
+    picture::Session session(scene);
+    picture::Slot slot = picture::Session::makeSlot("radiosity");
+    FrameRequest hour;
+    hour.deadline = std::chrono::steady_clock::now() + std::chrono::hours(1);
+    const picture::RenderedFrame first = session.render(slot, viewOf(scene), hour);
+    EXPECT_FALSE(first.converged);
+    const auto has = [&](const char* pass) { return std::ranges::find(first.result.passes, pass, &StageKey::id) != first.result.passes.end(); };
+    EXPECT_TRUE(has("direct"));
+    EXPECT_FALSE(has("solve")) << "form factors come later";
+    std::size_t passes = first.result.passes.size();
+    int slices = 1;
+    for (bool isConverged = false; !isConverged; ++slices) {
+        ASSERT_LT(slices, 10) << "only a pass that draws for the first time ends a slice";
+        const picture::RenderedFrame next = session.render(slot, viewOf(scene), hour);
+        isConverged = next.converged;
+        if (!isConverged) EXPECT_GT(next.result.passes.size(), passes);
+        passes = next.result.passes.size();
+    }
+    EXPECT_GE(slices, 3);
+}
+
 // In the middle of the work a picture that ends after a pass is drawn into the same target: the whole one has to be drawn again over it.
 TEST_F(RadiositySlicesTest, AfterAPartOfThePictureTheWholeIsDrawnAgain) {
     const scene::Snapshot scene = cornellRoom();
