@@ -96,7 +96,7 @@ SearchScene sheets(Dice& dice) {
 SearchScene farAway(Dice& dice) {
     SearchScene scene = underTheSun(dice);
     scene.objects.front() = floorOf(400);
-    scene.eyeWorld = {dice.real(-20, 20), dice.real(6, 12), 110};
+    scene.eyeWorld = {dice.real(-20, 20), dice.real(25, 45), 110}; // lower, and shadows on the floor are a few pixels high
     scene.targetWorld = {0, 0.5, 0};
     scene.fovYDegrees = 1.5;
     return scene;

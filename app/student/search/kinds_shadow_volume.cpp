@@ -69,6 +69,24 @@ SearchScene aRow(Dice& dice) {
     return scene;
 }
 
+/// One face of a body is turned away from the lamp by one to three degrees only, and all is small: so is N.L, whether its vectors are of unit length or not.
+SearchScene almostAlongAFace(Dice& dice) {
+    SearchScene scene;
+    scene.objects.push_back(floorOf(20));
+    const SearchObject body = pyramid("body", {0, 0.32, 0}, dice.place({0.5, 0.5, 0.5}, {0.6, 0.6, 0.6}), dice.real(0, 360));
+    const uvec3 face = body.triangles[static_cast<std::size_t>(1 + dice.below(3))]; // not the lowest
+    const std::vector<dvec3>& corners = body.cornersWorld;
+    const dvec3 a = corners[face.x], normal = glm::normalize(glm::cross(corners[face.y] - a, corners[face.z] - a));
+    const dvec3 middle = (a + corners[face.y] + corners[face.z]) / 3.0;
+    const dvec3 up = glm::normalize(dvec3(0, 1, 0) - normal.y * normal), across = glm::cross(normal, up);
+    const double turn = glm::radians(dice.real(-30, 30)), away = glm::radians(dice.real(1, 3)), distance = dice.real(1.1, 1.3);
+    const dvec3 along = std::cos(turn) * up + std::sin(turn) * across;
+    scene.lights = {lamp(middle + distance * (std::cos(away) * along - std::sin(away) * normal), 5)};
+    scene.objects.push_back(ofMaterial(body, "accent"));
+    lookFromAround(scene, dice, {0, 0.12, 0}, dice.real(1.4, 1.6));
+    return scene;
+}
+
 SearchScene longShadows(Dice& dice) {
     SearchScene scene;
     scene.objects.push_back(floorOf(400));
@@ -99,6 +117,7 @@ std::span<const SceneKind> shadowVolumeKinds() {
         {"several volumes one behind the other", {5, 6}, v, aRow},
         {"a mesh that a mirror has turned inside out", {1, 2}, v, mirrored},
         {"two lights", {1, 2}, v, twoLights},
+        {"a face almost along the light", {1, 2}, v, almostAlongAFace},
     };
     return kinds;
 }
