@@ -39,6 +39,13 @@ double metresPerPixelAt(double distance, const scene::Camera& camera, ivec2 size
     return 2 * distance * std::tan(glm::radians(camera.fovYDegrees) / 2) / size.y;
 }
 
+/// In view space.
+dvec3 placeAt(double distance, const dvec2& px, const scene::Camera& camera, ivec2 size) {
+    const double metresPerPixel = metresPerPixelAt(distance, camera, size);
+    const dvec2 offsetPx = px - 0.5 * dvec2(size);
+    return {offsetPx.x * metresPerPixel, -offsetPx.y * metresPerPixel, -distance};
+}
+
 } // namespace
 
 std::vector<BoardPatch> BoardLayout::all() const {
@@ -90,51 +97,59 @@ BoardLayout boardLayout(ivec2 size) {
 }
 
 dvec3 placeInView(const BoardPatch& patch, const scene::Camera& camera, ivec2 size) {
-    const double distance = distanceOf(camera, patch.isFar), metresPerPixel = metresPerPixelAt(distance, camera, size);
-    const dvec2 offsetPx = patch.centrePx - 0.5 * dvec2(size);
-    return {offsetPx.x * metresPerPixel, -offsetPx.y * metresPerPixel, -distance};
+    return placeAt(distanceOf(camera, patch.isFar), patch.centrePx, camera, size);
 }
 
-scene::Scene calibrationBoard(const scene::Camera& camera, ivec2 size) {
-    const BoardLayout board = boardLayout(size);
-    scene::Scene scene;
-    scene.name = "calibration";
-    scene.camera = camera;
-    const dmat3 worldFromView = glm::transpose(dmat3(scene::viewFromWorld(camera)));
-    std::vector<BoardPatch> patches = board.all();
-    const unsigned code = cameraCode(camera, size);
-    for (std::size_t bit = 0; bit < board.code.size(); ++bit)
-        patches.push_back(board.code[bit][code >> bit & 1 ? 0 : 1]);
-    for (std::size_t i = 0; i < patches.size(); ++i) {
-        const BoardPatch& patch = patches[i];
-        scene::Material material;
-        material.name = "patch-" + std::to_string(i + 1);
-        material.diffuse = vec3(0.0f);
-        material.emission = vec3(patch.radiance);
-        material.emits = scene::EmittingSides::both;
-        scene.materials.push_back(material);
+namespace {
 
-        // A quad lies in xz and faces +y; here its x runs to the right of the picture, turned, and its y toward the eye.
-        const double angle = glm::radians(patch.turnedDegrees);
-        const dvec3 right = worldFromView * dvec3(std::cos(angle), std::sin(angle), 0.0), towardEye = worldFromView[2];
-        const dmat3 worldFromQuad(right, towardEye, glm::cross(right, towardEye));
-        const dvec2 sizeMetres = patch.sizePx * metresPerPixelAt(distanceOf(camera, patch.isFar), camera, size);
-        scene::Object object;
-        object.name = material.name;
-        object.mesh = std::make_shared<scene::Mesh>(scene::makeQuad(sizeMetres));
-        object.partMaterials = {static_cast<std::uint32_t>(i)};
-        object.castsShadow = false;
-        object.source = {.shape = "quad " + scene::numberText(sizeMetres.x) + " " + scene::numberText(sizeMetres.y),
-                         .mesh = {},
-                         .node = {},
-                         .material = material.name,
-                         .normals = {},
-                         .rotateDegrees = anglesDegrees(worldFromQuad),
-                         .translateWorld = camera.positionWorld + worldFromView * placeInView(patch, camera, size)};
-        object.worldFromObject = scene::worldFromObjectOf(object.source);
-        scene.objects.push_back(std::move(object));
-    }
-    return scene;
+/// One more rectangle, `distance` from the eye.
+void addPatch(scene::Scene& board, const BoardPatch& patch, double distance, const scene::Camera& camera, ivec2 size) {
+    scene::Material material;
+    material.name = "patch-" + std::to_string(board.objects.size() + 1);
+    material.diffuse = vec3(0.0f);
+    material.emission = vec3(patch.radiance);
+    material.emits = scene::EmittingSides::both;
+
+    // A quad lies in xz and faces +y; here its x runs to the right of the picture, turned, and its y toward the eye.
+    const dmat3 worldFromView = glm::transpose(dmat3(scene::viewFromWorld(camera)));
+    const double angle = glm::radians(patch.turnedDegrees);
+    const dvec3 right = worldFromView * dvec3(std::cos(angle), std::sin(angle), 0.0), towardEye = worldFromView[2];
+    const dmat3 worldFromQuad(right, towardEye, glm::cross(right, towardEye));
+    const dvec2 sizeMetres = patch.sizePx * metresPerPixelAt(distance, camera, size);
+    scene::Object object;
+    object.name = material.name;
+    object.mesh = std::make_shared<scene::Mesh>(scene::makeQuad(sizeMetres));
+    object.partMaterials = {static_cast<std::uint32_t>(board.materials.size())};
+    object.castsShadow = false;
+    object.source = {.shape = "quad " + scene::numberText(sizeMetres.x) + " " + scene::numberText(sizeMetres.y),
+                     .mesh = {},
+                     .node = {},
+                     .material = material.name,
+                     .normals = {},
+                     .rotateDegrees = anglesDegrees(worldFromQuad),
+                     .translateWorld = camera.positionWorld + worldFromView * placeAt(distance, patch.centrePx, camera, size)};
+    object.worldFromObject = scene::worldFromObjectOf(object.source);
+    board.materials.push_back(std::move(material));
+    board.objects.push_back(std::move(object));
+}
+
+} // namespace
+
+scene::Scene calibrationBoard(const scene::Camera& camera, ivec2 size) {
+    const BoardLayout layout = boardLayout(size);
+    scene::Scene board;
+    board.name = "calibration";
+    board.camera = camera;
+    std::vector<BoardPatch> patches = layout.all();
+    const unsigned code = cameraCode(camera, size);
+    for (std::size_t bit = 0; bit < layout.code.size(); ++bit)
+        patches.push_back(layout.code[bit][code >> bit & 1 ? 0 : 1]);
+    for (const BoardPatch& patch : patches)
+        addPatch(board, patch, distanceOf(camera, patch.isFar), camera, size);
+    // Black behind all of it, whatever a program's background is: four times the view, for cameras that see more than they should.
+    const double farthest = distanceOf(camera, true);
+    addPatch(board, {0.5 * dvec2(size), 4.0 * dvec2(size)}, std::min(1.1 * farthest, 0.5 * (farthest + camera.far)), camera, size);
+    return board;
 }
 
 } // namespace shadowlab::foreign

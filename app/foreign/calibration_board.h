@@ -6,7 +6,8 @@
 // degrees, stand near the corners: they tell flips and turns apart, and since their edges pass pixel centres at all distances,
 // their centres of gravity are known to some hundredths of a pixel, whether the renderer takes one sample a pixel or many. Four small ones stand
 // nearer to the middle: they remain where the picture shows half of the view only. A wedge of ten greys in the middle shows the
-// encoding, three patches below it the order of the channels, and cells at the bottom the code of the camera (camera_code.h).
+// encoding, three patches below it the order of the channels, and cells at the bottom the code of the camera (camera_code.h). A black
+// rectangle behind them fills the view.
 //
 // Neighbouring squares stand at two distances from the eye. From the right camera that is not seen; from another place they move against each
 // other, so that a wrong place is told apart from a wrong angle or direction.

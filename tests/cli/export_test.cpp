@@ -35,7 +35,7 @@ TEST_F(ExportTest, WritesTheFilesOfEachFormat) {
         EXPECT_TRUE(scene::contains(content(format + "/README.md"), "shadowlab export box.json -o " + format + " --to " + format + " --size 640x360\n"));
     }
     succeed({"export", "box.json", "-o", "mitsuba", "--to", "mitsuba"});
-    EXPECT_EQ(filesIn("mitsuba").size(), 4u + 2 + 37); // README, two scenes, a script; two meshes, and the 37 of the board
+    EXPECT_EQ(filesIn("mitsuba").size(), 4u + 2 + 38); // README, two scenes, a script; two meshes, and the 38 of the board
 }
 
 TEST_F(ExportTest, AGltfFileOfItDrawsTheSameShadows) {

@@ -96,7 +96,8 @@ TEST_F(JudgeCommandTest, AWrongCalibrationIsSaidAndNothingIsJudged) {
     draw("ok.png", "shadow-volume-zfail");
     scene::LoadOptions options;
     const scene::Snapshot box = scene::loadScene((folder.path() / "box.json").string(), options);
-    const scene::Scene board = foreign::calibrationBoard(box->camera, {160, 90});
+    scene::Scene board = foreign::calibrationBoard(box->camera, {160, 90});
+    board.background = vec3(0.4f); // of a program; the board brings a black one of its own
     folder.write("board.json", scene::sceneText(board, board.camera, folder.path()));
     succeed({"capture", "board.json", "-o", "board.png", "-t", "unshadowed", "--size", "160x90", "--labels", "false"});
     succeed({"capture", "board.json", "-o", "wide.png", "-t", "unshadowed", "--size", "160x91", "--labels", "false"});

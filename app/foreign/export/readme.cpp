@@ -100,8 +100,8 @@ std::string readmeText(const Format& format, const PlainScene& plain, const std:
                         scene::counted(plain.meshes.size(), "part") +
                         ", each in world coordinates, wound counter-clockwise as seen from its front, and seen from both sides. "
                         "`calibration` is a board of squares and greys for the same camera: by its picture size, orientation, pixel centres and the "
-                        "encoding of light are checked before anything is judged. It fills the view of every camera in the same way, so it does not show whether the "
-                        "camera is this one.\n\n";
+                        "encoding of light are checked before anything is judged. It shows a code of this camera, so that the board of another is refused. Behind "
+                        "it all is black, whatever the program's background.\n\n";
     text_ += "## Making pictures\n\n" + format.howTo(plain, size) + "\n";
     text_ += judgeText(format, plain, scene) + eyeText(plain.eye, size) + unitText(plain);
     text_ += "## What is not said here\n\n";
