@@ -39,7 +39,7 @@ void describeSlides(DescribedOptions& add) {
              "slides that a deck calls explorable become labs in its page: a lamp to drag, a split line, steps, settings with their "
              "errors, pixels to ask; of whole decks, so not with --only");
     add.option("--explore-budget", "MB",
-               "what the labs of a page take at most (default 14): fewer positions of the lamp and smaller pictures are chosen to fit");
+               "what the labs of a page take at most (default 15): fewer positions of the lamp and smaller pictures are chosen to fit");
     describeBackend(add);
     add.option("--allow", "DIR", "a further folder that the decks' scenes may take meshes from; may be repeated");
     add.footer(
@@ -63,7 +63,7 @@ SlidesOptions slidesOptions(const GivenOptions& given) {
     constexpr int kLeastHeight = 360;                 // below, type dissolves
     constexpr double kNarrowest = 1.2, kWidest = 2.5; // shapes that slides are laid out for
     options.explores = given.has("--explore") || given.has("--explore-budget");
-    options.exploreBytes = megabytesFrom("--explore-budget", given.text("--explore-budget", "14"));
+    options.exploreBytes = megabytesFrom("--explore-budget", given.text("--explore-budget", "15"));
     if (options.explores && !options.only.empty())
         refuseUsage("--explore: labs are in the page of a whole deck, and with --only none is written; leave one of the two out");
     options.lessons = std::erase(options.decks, kLessonsPage) > 0 || (options.allDecks && options.explores);

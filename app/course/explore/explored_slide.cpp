@@ -133,9 +133,13 @@ private:
         const int frames = motion_.frames > 1 ? 1 : kFramesAtRest;
         for (int i = 0; i < frames; ++i)
             variant.frameMs.push_back(session_.render(slot, view(), timed).frameMs);
+        // Judged next, while the technique still holds that frame: the picture below has more samples and is computed anew.
+        std::optional<picture::JudgedSlot> judgedSlot;
+        if (explore_.errors && light_ != kNoLight && publishes(*slot.info, kVisibilityStage))
+            judgedSlot.emplace(picture::judgeSlot(session_, slot, view(), light_));
         Json state{{"lamp", frame}, {"picture", add(panel(slot, {}))}, {"numbers", Json::object()}};
-        if (!explore_.errors || light_ == kNoLight || !publishes(*slot.info, kVisibilityStage)) return state;
-        const picture::JudgedSlot judged = picture::judgeSlot(session_, slot, view(), light_);
+        if (!judgedSlot) return state;
+        const picture::JudgedSlot& judged = *judgedSlot;
         const judge::Counts& counts = judged.found.errors.judgement.counts;
         const picture::Panel verdicts =
             picture::errorOverlay(judged.truth, judged.found.errors.judgement, {}, picture::wideMark(request_.size.picture.y));
