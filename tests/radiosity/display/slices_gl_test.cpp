@@ -109,16 +109,10 @@ TEST_F(RadiositySlicesTest, AFirstPictureEndsItsSlice) {
     const auto has = [&](const char* pass) { return std::ranges::find(first.result.passes, pass, &StageKey::id) != first.result.passes.end(); };
     EXPECT_TRUE(has("direct"));
     EXPECT_FALSE(has("solve")) << "form factors come later";
-    std::size_t passes = first.result.passes.size();
-    int slices = 1;
-    for (bool isConverged = false; !isConverged; ++slices) {
-        ASSERT_LT(slices, 10) << "only a pass that draws for the first time ends a slice";
-        const picture::RenderedFrame next = session.render(slot, viewOf(scene), hour);
-        isConverged = next.converged;
-        if (!isConverged) EXPECT_GT(next.result.passes.size(), passes);
-        passes = next.result.passes.size();
-    }
-    EXPECT_GE(slices, 3);
+    // In an hour all that is left is done: nothing else ends a slice.
+    const picture::RenderedFrame next = session.render(slot, viewOf(scene), hour);
+    EXPECT_TRUE(next.converged);
+    EXPECT_GT(next.result.passes.size(), first.result.passes.size());
 }
 
 // In the middle of the work a picture that ends after a pass is drawn into the same target: the whole one has to be drawn again over it.
