@@ -46,6 +46,37 @@ dvec3 placeAt(double distance, const dvec2& px, const scene::Camera& camera, ive
     return {offsetPx.x * metresPerPixel, -offsetPx.y * metresPerPixel, -distance};
 }
 
+/// One more rectangle, `distance` from the eye.
+void addPatch(scene::Scene& board, const BoardPatch& patch, double distance, const scene::Camera& camera, ivec2 size) {
+    scene::Material material;
+    material.name = "patch-" + std::to_string(board.objects.size() + 1);
+    material.diffuse = vec3(0.0f);
+    material.emission = vec3(patch.radiance);
+    material.emits = scene::EmittingSides::both;
+
+    // A quad lies in xz and faces +y; here its x runs to the right of the picture, turned, and its y toward the eye.
+    const dmat3 worldFromView = glm::transpose(dmat3(scene::viewFromWorld(camera)));
+    const double angle = glm::radians(patch.turnedDegrees);
+    const dvec3 right = worldFromView * dvec3(std::cos(angle), std::sin(angle), 0.0), towardEye = worldFromView[2];
+    const dmat3 worldFromQuad(right, towardEye, glm::cross(right, towardEye));
+    const dvec2 sizeMetres = patch.sizePx * metresPerPixelAt(distance, camera, size);
+    scene::Object object;
+    object.name = material.name;
+    object.mesh = std::make_shared<scene::Mesh>(scene::makeQuad(sizeMetres));
+    object.partMaterials = {static_cast<std::uint32_t>(board.materials.size())};
+    object.castsShadow = false;
+    object.source = {.shape = "quad " + scene::numberText(sizeMetres.x) + " " + scene::numberText(sizeMetres.y),
+                     .mesh = {},
+                     .node = {},
+                     .material = material.name,
+                     .normals = {},
+                     .rotateDegrees = anglesDegrees(worldFromQuad),
+                     .translateWorld = camera.positionWorld + worldFromView * placeAt(distance, patch.centrePx, camera, size)};
+    object.worldFromObject = scene::worldFromObjectOf(object.source);
+    board.materials.push_back(std::move(material));
+    board.objects.push_back(std::move(object));
+}
+
 } // namespace
 
 std::vector<BoardPatch> BoardLayout::all() const {
@@ -99,41 +130,6 @@ BoardLayout boardLayout(ivec2 size) {
 dvec3 placeInView(const BoardPatch& patch, const scene::Camera& camera, ivec2 size) {
     return placeAt(distanceOf(camera, patch.isFar), patch.centrePx, camera, size);
 }
-
-namespace {
-
-/// One more rectangle, `distance` from the eye.
-void addPatch(scene::Scene& board, const BoardPatch& patch, double distance, const scene::Camera& camera, ivec2 size) {
-    scene::Material material;
-    material.name = "patch-" + std::to_string(board.objects.size() + 1);
-    material.diffuse = vec3(0.0f);
-    material.emission = vec3(patch.radiance);
-    material.emits = scene::EmittingSides::both;
-
-    // A quad lies in xz and faces +y; here its x runs to the right of the picture, turned, and its y toward the eye.
-    const dmat3 worldFromView = glm::transpose(dmat3(scene::viewFromWorld(camera)));
-    const double angle = glm::radians(patch.turnedDegrees);
-    const dvec3 right = worldFromView * dvec3(std::cos(angle), std::sin(angle), 0.0), towardEye = worldFromView[2];
-    const dmat3 worldFromQuad(right, towardEye, glm::cross(right, towardEye));
-    const dvec2 sizeMetres = patch.sizePx * metresPerPixelAt(distance, camera, size);
-    scene::Object object;
-    object.name = material.name;
-    object.mesh = std::make_shared<scene::Mesh>(scene::makeQuad(sizeMetres));
-    object.partMaterials = {static_cast<std::uint32_t>(board.materials.size())};
-    object.castsShadow = false;
-    object.source = {.shape = "quad " + scene::numberText(sizeMetres.x) + " " + scene::numberText(sizeMetres.y),
-                     .mesh = {},
-                     .node = {},
-                     .material = material.name,
-                     .normals = {},
-                     .rotateDegrees = anglesDegrees(worldFromQuad),
-                     .translateWorld = camera.positionWorld + worldFromView * placeAt(distance, patch.centrePx, camera, size)};
-    object.worldFromObject = scene::worldFromObjectOf(object.source);
-    board.materials.push_back(std::move(material));
-    board.objects.push_back(std::move(object));
-}
-
-} // namespace
 
 scene::Scene calibrationBoard(const scene::Camera& camera, ivec2 size) {
     const BoardLayout layout = boardLayout(size);

@@ -50,8 +50,9 @@ RenderedFrame Session::render(Slot& slot, const View& view, const FrameRequest& 
         rendered.result = frame.takeResult();
         ++sampled.sample;
         // In a hurry, what a pass has drawn for the first time is shown before anything gets better.
-        const bool hasMore = rendered.result.passes.size() > slot.passes;
-        if (const std::size_t passes = rendered.result.passes.size(); passes > 0) slot.passes = passes;
+        const std::size_t passes = rendered.result.passes.size();
+        const bool hasMore = passes > slot.passes;
+        if (passes > 0) slot.passes = passes;
         if (hasMore && request.deadline != Deadline::max()) break;
     } while (!rendered.converged && request.refine && Clock::now() < request.deadline);
     return rendered;

@@ -141,13 +141,8 @@ struct Facing {
     [[nodiscard]] bool isEmpty() const { return a.isEmpty() || b.isEmpty(); }
 };
 
-/// By at most so many pieces; nothing where they do not suffice, unless that is what is wanted.
-struct Pieces {
-    int most = kMostPieces;
-    bool takesWhatThereIs = true;
-};
-
-std::optional<Exchange> integrate(const Facing& facing, double tolerance, Pieces limit) {
+/// By at most so many pieces: none are left where they did not suffice.
+Exchange integrate(const Facing& facing, double tolerance, int& pieces) {
     const Polygon &a = facing.a, &b = facing.b;
     const double least = std::min(glm::length(areaVector(a)), glm::length(areaVector(b)));
     std::array<Quad, Polygon::kMostCorners> quads{};
@@ -159,21 +154,24 @@ std::optional<Exchange> integrate(const Facing& facing, double tolerance, Pieces
     const std::optional<int> enough = pointsAtDistance(a, b, tolerance);
     for (std::size_t i = 0; i < count; ++i)
         together += values[i] = integral(quads[i], facing.normalA, b, enough.value_or(kMost));
-    if (enough) return Exchange{together, tolerance * together};
+    if (enough) return {together, tolerance * together};
     const double allowed = tolerance * together + kNoise * least;
     Exchange sum;
-    int pieces = limit.most;
     for (std::size_t i = 0; i < count; ++i)
         refine(quads[i], facing.normalA, b, values[i], allowed, kMostHalvings, pieces, sum);
-    if (pieces <= 0 && !limit.takesWhatThereIs) return std::nullopt;
     return sum;
+}
+
+Exchange byManyPieces(const Facing& facing, double tolerance) {
+    int pieces = kMostPieces;
+    return integrate(facing, tolerance, pieces);
 }
 
 } // namespace
 
 Exchange exchangeByQuadrature(const Polygon& a, const Polygon& b, double tolerance) {
     const Facing facing(a, b);
-    return facing.isEmpty() ? Exchange() : *integrate(facing, tolerance, {});
+    return facing.isEmpty() ? Exchange() : byManyPieces(facing, tolerance);
 }
 
 Exchange unoccludedExchange(const Polygon& a, const Polygon& b, double tolerance) {
@@ -181,9 +179,11 @@ Exchange unoccludedExchange(const Polygon& a, const Polygon& b, double tolerance
     if (facing.isEmpty()) return {};
     if (const auto closed = rectangleExchange(facing.a, facing.b)) return {*closed, 1e-12 * *closed};
     // Where a few pieces do, they are quicker; where polygons touch, outlines are, a hundred times.
-    if (const auto found = integrate(facing, tolerance, {kFewPieces, false})) return *found;
+    int pieces = kFewPieces;
+    const Exchange byFew = integrate(facing, tolerance, pieces);
+    if (pieces > 0) return byFew;
     if (const auto found = exchangeByOutlines(facing.a, facing.b, tolerance)) return *found;
-    return *integrate(facing, tolerance, {});
+    return byManyPieces(facing, tolerance);
 }
 
 } // namespace shadowlab::radiosity
