@@ -20,10 +20,25 @@
       this.states = new Map(this.data.states.map(state => [state.pane + '/' + state.variant + '/' + state.lamp, state]));
       this.now = { view: 'picture', lamp: this.data.lamp ? this.data.lamp.start : 0, variant: 0, step: null, asking: false };
       this.notes = [];
-      for (const pane of this.data.panes.keys()) this.pack.picture(this.stateOf(pane).picture).catch(() => {}); // decoded while the rest is built
-      this.build();
-      this.change({});
-      this.built = true;
+      this.ready = this.begin();
+    }
+
+    /// The picture first, and in a later frame what changes it.
+    async begin() {
+      try {
+        for (const pane of this.data.panes.keys()) this.pack.picture(this.stateOf(pane).picture).catch(() => {}); // decoded while the stage is built
+        this.build();
+        this.refresh([], '');
+        await this.draw();
+        if (this.failed) return;
+        await new Promise(seen => requestAnimationFrame(() => setTimeout(seen)));
+        inPlace(() => this.addControls());
+        this.built = true;
+        this.refresh(...this.places(this.now));
+        this.root.dataset.ready = true;
+      } catch (broken) {
+        this.fail(broken);
+      }
     }
 
     /// Settings that the slide has changed belong to the name of a pane.
@@ -32,12 +47,19 @@
     }
 
     build() {
-      const { data, name, root } = this, still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+      const { data, name, root } = this;
+      this.track = data.lamp && data.lamp.positions.length > 1 ? data.lamp : null;
       this.stage = new explore.Stage(data, () => {});
       this.views = new explore.Views(data, name, view => this.change({ view, step: null }));
-      this.numbers = new explore.Numbers(data.panes, data.machine, data.width + ' \u00d7 ' + data.height);
       this.status = element('p', { className: 'spoken', role: 'status' });
-      const column = this.column = element('div', { className: 'column' });
+      this.column = element('div', { className: 'column' });
+      root.style.setProperty('--aspect', data.width / data.height);
+      root.replaceChildren(this.turners(), element('div', { className: 'left' }, this.stage.element, this.views.foot, this.views.element), this.column, this.status);
+      this.listen();
+    }
+
+    addControls() {
+      const { data, name, column } = this;
       if (data.task) {
         const heading = document.querySelector('h1');
         this.task = new explore.Task(data.task, data.panes[data.task.pane].title, 'shadowlab: ' + (heading ? heading.textContent : '') + ': ' + name,
@@ -48,11 +70,12 @@
         this.settings = new explore.Settings(data, name, variant => this.change({ variant }));
         column.append(this.settings.element);
       }
+      this.numbers = new explore.Numbers(data.panes, data.machine, data.width + ' \u00d7 ' + data.height);
       column.append(this.numbers.element);
       if (data.lightNote) this.numbers.element.append(element('p', { className: 'note', textContent: data.lightNote }));
-      if (data.lamp && data.lamp.positions.length > 1) {
-        this.lamp = new explore.Lamp(data.lamp, this.stage.picture, lamp => this.change({ lamp }));
-        if (still) this.lamp.player.remove();
+      if (this.track) {
+        this.lamp = new explore.Lamp(this.track, this.stage.picture, lamp => this.change({ lamp }));
+        if (matchMedia('(prefers-reduced-motion: reduce)').matches) this.lamp.player.remove();
         column.append(this.lamp.element);
       }
       if (data.steps.length) {
@@ -68,9 +91,6 @@
       if (told) column.append(element('div', { className: 'group words' }, ...told.cloneNode(true).childNodes));
       column.append(element('p', { className: 'note keys-note',
         textContent: 'In here the arrow keys belong to what is chosen. Esc gives them back to the slides.' }));
-      root.style.setProperty('--aspect', data.width / data.height);
-      root.replaceChildren(this.turners(), element('div', { className: 'left' }, this.stage.element, this.views.foot, this.views.element), column, this.status);
-      this.listen();
     }
 
     /// Where the lab is, no click on the slide turns it.
@@ -116,6 +136,7 @@
 
     /// Changes what is chosen. One choice may undo another; setting and place of the lamp come back when stages, steps or answers are left.
     change(wanted) {
+      if (!this.built) return void this.ready.then(() => this.change(wanted));
       const before = this.now, next = { ...before, ...wanted };
       if (wanted.step) next.asking = false;
       if (wanted.asking) next.step = null;
@@ -151,13 +172,14 @@
       const { data, now, root } = this, numbers = data.panes.map((pane, i) => this.stateOf(i).numbers);
       root.classList.toggle('stepping', Boolean(now.step));
       root.classList.toggle('asking', now.asking);
+      this.views.set(now.view, now.step ? this.single() : null,
+        data.panes.filter((pane, i) => this.stateOf(i).verdict === undefined || this.stateOf(i).verdict === null).map(pane => pane.title));
+      if (!this.numbers) return; // the picture is there, and its controls are not yet
       this.numbers.set(numbers);
       if (this.lamp) this.lamp.set(now.lamp, places, why);
       if (this.settings) this.settings.set(now.variant);
       if (this.steps) this.steps.set(now.step);
       if (this.ask) this.ask.set(now.asking);
-      this.views.set(now.view, now.step ? this.single() : null,
-        data.panes.filter((pane, i) => this.stateOf(i).verdict === undefined || this.stateOf(i).verdict === null).map(pane => pane.title));
       clearTimeout(this.resting);
       const news = this.built; // what stands there from the start is none
       this.resting = setTimeout(() => {
@@ -202,7 +224,7 @@
           this.root.dataset.drawn = Number(this.root.dataset.drawn || 0) + 1;
         }
       } catch (broken) {
-        this.fail('This browser cannot show the pictures of this slide (' + broken.message + ').');
+        this.fail(broken);
       }
       this.drawing = false;
     }
@@ -212,7 +234,7 @@
       const what = now.step ? this.steps.words(now.step)
         : { picture: 'Picture', errors: 'Errors', truth: 'Truth' }[now.view] || this.views.stage(now.view).label;
       return what + ', ' + (titles.length === 2 ? titles[0] + ' on the left, ' + titles[1] + ' on the right' : titles[0]) +
-        (this.lamp ? '. Lamp: ' + data.lamp.positions[now.lamp].said : '') + '.';
+        (this.track ? '. Lamp: ' + data.lamp.positions[now.lamp].said : '') + '.';
     }
 
     decodeAhead(places) {
@@ -230,9 +252,10 @@
     }
 
     /// The still slide is shown again, and a line says why.
-    fail(why) {
+    fail(broken) {
+      this.failed = true;
       this.close();
-      explore.excuse(this.section, this.root, why);
+      excuse(this.section, this.root, broken);
     }
 
     enter() { this.open = true }
@@ -246,13 +269,14 @@
     }
   };
 
-  explore.excuse = (section, root, why) => {
+  function excuse(section, root, broken) {
     section.classList.remove('explored');
-    root.replaceChildren(element('p', { className: 'excuse', textContent: why + ' The slide is shown as it is printed.' }));
+    root.replaceChildren(element('p', { className: 'excuse',
+      textContent: 'This browser cannot show the pictures of this slide (' + broken.message + '). The slide is shown as it is printed.' }));
     root.classList.add('excused');
-  };
+  }
 
-  const wide = matchMedia('(min-width: 701px)'), labs = new Map(), seen = new Set();
+  const wide = matchMedia('(min-width: 701px)'), labs = new Map(), tried = new Set(), seen = new Set();
 
   let moved = false; // by a hand; until then the window belongs to the slide that the address names
   for (const kind of ['touchstart', 'pointerdown', 'wheel', 'keydown'])
@@ -260,47 +284,64 @@
 
   /// On a page that is scrolled, keeps what is at the top of the window there, though something above it gets longer.
   function inPlace(change) {
+    if (wide.matches) return change();
     const top = [...document.querySelectorAll('section')].find(section => section.getBoundingClientRect().bottom > 1);
     const before = top ? top.getBoundingClientRect().top : 0;
     change();
-    if (wide.matches) return;
     if (!moved && location.hash) document.querySelector('section.now').scrollIntoView({ block: 'start' });
     else if (top) scrollBy(0, top.getBoundingClientRect().top - before);
   }
 
   /// A lab is there while its slide is shown large, or near on a page that is scrolled.
-  function update(section) {
-    const open = wide.matches ? document.body.classList.contains('one') && section.classList.contains('now') : seen.has(section);
-    const root = section.querySelector('.explore');
-    if (open && !labs.has(section)) {
-      labs.set(section, null);
-      inPlace(() => {
-        section.classList.add('explored');
-        try {
-          if (typeof createImageBitmap === 'undefined') throw new Error('it has no createImageBitmap');
-          labs.set(section, new explore.Lab(section, root));
-        } catch (broken) {
-          explore.excuse(section, root, 'This browser cannot show the pictures of this slide (' + broken.message + ').');
-        }
-      });
+  const isOpen = section => wide.matches ? document.body.classList.contains('one') && section.classList.contains('now') : seen.has(section);
+
+  const sections = [...document.querySelectorAll('section.explorable')];
+  let building = false;
+
+  /// Labs are built one after the other, the one nearest to the top of the window first, so that none waits for its neighbours.
+  async function update() {
+    for (const [section, lab] of labs) {
+      const open = isOpen(section);
+      if (Boolean(lab.open) !== open) if (open) lab.enter(); else lab.close();
     }
-    const lab = labs.get(section);
-    if (!lab || Boolean(lab.open) === open) return;
-    if (open) lab.enter(); else lab.close();
+    if (building) return;
+    building = true;
+    for (let missing; (missing = sections.filter(section => isOpen(section) && !tried.has(section))).length;) {
+      const from = section => Math.abs(section.getBoundingClientRect().top);
+      await build(missing.length === 1 ? missing[0] : missing.reduce((best, section) => from(section) < from(best) ? section : best));
+    }
+    building = false;
   }
 
-  const sections = [...document.querySelectorAll('section.explorable')], all = () => sections.forEach(update);
+  async function build(section) {
+    const root = section.querySelector('.explore');
+    tried.add(section);
+    try {
+      if (typeof createImageBitmap === 'undefined') throw new Error('it has no createImageBitmap');
+      inPlace(() => {
+        section.classList.add('explored');
+        labs.set(section, new explore.Lab(section, root));
+      });
+      labs.get(section).enter();
+      await labs.get(section).ready;
+    } catch (broken) {
+      excuse(section, root, broken);
+    }
+  }
+
   if (self.IntersectionObserver) {
     const near = new IntersectionObserver(entries => {
-      for (const entry of entries) {
-        if (entry.isIntersecting) seen.add(entry.target); else seen.delete(entry.target);
-        update(entry.target);
-      }
+      for (const entry of entries) if (entry.isIntersecting) seen.add(entry.target); else seen.delete(entry.target);
+      update();
     }, { rootMargin: '50% 0px' });
     sections.forEach(section => near.observe(section));
   }
-  const turned = new MutationObserver(all);
+  const turned = new MutationObserver(() => {
+    const now = sections.find(section => section.classList.contains('now'));
+    if (now && now.getBoundingClientRect().top < innerHeight && now.getBoundingClientRect().bottom > 0) seen.add(now); // two frames before `near` tells it
+    update();
+  });
   for (const watched of [document.body, ...sections]) turned.observe(watched, { attributes: true, attributeFilter: ['class'] });
-  wide.addEventListener('change', all);
-  all();
+  wide.addEventListener('change', update);
+  update();
 })(self.ShadowlabExplore = self.ShadowlabExplore || {});

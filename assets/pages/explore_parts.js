@@ -92,6 +92,7 @@
   explore.numberWords = (value, unit = '') => {
     if (!explore.known(value)) return 'not known';
     const digits = Number.isInteger(value) || Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : 2;
-    return value.toLocaleString('en', { maximumFractionDigits: digits }) + unit;
+    const [whole, part = ''] = value.toFixed(digits).split('.'), places = part.replace(/0+$/, '');
+    return whole.replace(/\B(?=(\d{3})+$)/g, ',') + (places && '.' + places) + unit; // toLocaleString needs 30 ms when it is first called
   };
 })(self.ShadowlabExplore = self.ShadowlabExplore || {});

@@ -15,7 +15,7 @@ class Lab:
         self.root = f"document.querySelector('#{name} .explore')"
         browser.open("about:blank")
         browser.open(f"{page.as_uri()}#{name}")
-        browser.wait(f"{self.root}.dataset.drawn", f"the first picture of {name}")
+        browser.wait(f"{self.root}.dataset.ready", f"the first picture of {name}")
         self.data = json.loads(browser.ask(f"document.getElementById('explore-{name}').textContent"))
 
     def ask(self, expression):

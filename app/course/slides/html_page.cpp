@@ -63,6 +63,7 @@ body.keys { --keys: 2.2rem }
   .told li { white-space: pre-wrap }
   .told ol { margin: .4rem 0; padding: 0; list-style: none; font: 14px/1.5 'DejaVu Sans Mono', monospace }
   section { background: #fff; max-width: none }
+  .measured section { content-visibility: auto }
 }
 @media print {
   @page { size: 13.333in 7.5in; margin: 0 }
@@ -125,6 +126,14 @@ slides.forEach((s, i) => s.querySelector('img').addEventListener('click', e => {
 if (phone.matches && !location.hash) body.classList.add('one');
 else layout('one');
 showKeys(true);
+// On a phone slides out of view are not laid out or painted; as many as fifty would delay each that is shown. Their heights, which stand for them, are measured.
+function measure() {
+  if (!phone.matches || body.classList.contains('measured')) return;
+  slides.map(s => s.offsetHeight).forEach((height, i) => { slides[i].style.containIntrinsicHeight = 'auto ' + height + 'px' });
+  body.classList.add('measured');
+}
+measure();
+phone.addEventListener('change', measure);
 )";
 
 // In the order in which somebody needs them who has never seen the page.
