@@ -3,8 +3,8 @@
 //   ninja -C build/release window_bench && build/release/tests/window_bench [SCENE [ROUNDS [SETTING...]]]
 //
 // Opens a window of 1280 x 720 pixels that shows the shadow map beside the shadow volume, split, and lets the light turn. A setting such as
-// shadow-map.filter=hard holds where its technique is shown, and right=shadow-volume shows another technique on the right. Eight kinds of
-// frame take turns, a few at a time, so that other programs slow all of them alike:
+// shadow-map.filter=hard holds where its technique is shown, right=shadow-volume shows another technique on the right, and with turns=camera
+// the camera turns. Eight kinds of frame take turns, a few at a time, so that other programs slow all of them alike:
 //   whole      each technique alone over the whole picture, one after the other
 //   split      the pictures as the window shows them, each technique in its part
 //   screen     the same with settings, texts and marks, all put together
@@ -52,9 +52,15 @@ struct Bench {
         : context(context::createWindowContext({.width = kSize.x, .height = kSize.y})),
           ui(lab::newDocument(scene::loadScene(sceneName, {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}}), sceneName)),
           screen(ui, context::assetsRoot() / "fonts" / "DejaVuSans.ttf") {
-        ui.bench.change("", [&](lab::Document& document) {
-            for (const char* setting : settings) set(document, setting);
-        });
+        for (const std::string setting : settings) {
+            if (setting == "turns=camera")
+                ui.bench.setAnimation([](lab::Animation& animation) {
+                    animation.lights = false;
+                    animation.camera = true;
+                });
+            else
+                ui.bench.change("", [&](lab::Document& document) { set(document, setting); });
+        }
         glfwSwapInterval(0);
         ui.shown.coarse = false;
         screen.fit(kSize, 1);
