@@ -19,6 +19,12 @@ constexpr float kTwinUnits = 4;
 constexpr int kDepthBits = 24;
 constexpr double kGaps = 2;
 
+// A software renderer compiles a program of its own for each pair of offsets. A step that followed the camera exactly would make it do so for
+// every object in every frame, which took half of them. So steps are rounded up to the next of a few.
+constexpr double kStepsPerOctave = 2;
+
+float roundedUp(double step) { return static_cast<float>(std::exp2(std::ceil(kStepsPerOctave * std::log2(step)) / kStepsPerOctave)); }
+
 bool isOrdinary(const scene::SeenSide& side) { return side == scene::SeenSide{}; }
 
 /// The sides of one triangle; ordinary ones where it is not among them.
@@ -43,7 +49,7 @@ LayerStep layerStep(double gap, double nearest, const dmat4& clipFromView) {
         slopes += kGaps * gap / nearest * clipFromView[1][1] * viewport[3] / 2;
         units += kGaps * gap * std::abs(clipFromView[3][2]) / (2 * nearest * nearest) * (1 << kDepthBits);
     }
-    return {static_cast<float>(slopes), static_cast<float>(units)};
+    return {roundedUp(slopes), roundedUp(units)};
 }
 
 SeenRuns seenRuns(const scene::Mesh& mesh, std::vector<scene::SeenSides> sides) {

@@ -36,7 +36,8 @@ struct LayerStep {
     float slopes = 0; ///< times the depth's slope per pixel
     float units = 0;  ///< of the depth buffer
 };
-/// For planes that rounding has moved apart by `gap` metres, no nearer to the eye than `nearest` metres, in the viewport as it is.
+/// For planes that rounding has moved apart by `gap` metres, no nearer to the eye than `nearest` metres, in the viewport as it is; at most
+/// 1.42 times as much as they need.
 LayerStep layerStep(double gap, double nearest, const dmat4& clipFromView);
 
 /// An object as the eye sees it.
