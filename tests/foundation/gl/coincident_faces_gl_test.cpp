@@ -2,12 +2,16 @@
 // rays and for the exact judge, held against the plane's own equation.
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <cmath>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/scene/id_buffer.h"
+#include "techniques/foundation/gl/scene/seen_runs.h"
 #include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "tests/support/area_lights.h"
@@ -234,6 +238,25 @@ scene::Scene houseWrittenTwice(bool innerFirst) {
     both.insert(both.end(), (innerFirst ? outer : inner).begin(), (innerFirst ? outer : inner).end());
     testing::addObject(scene, testing::triangleSoup(both));
     return scene;
+}
+
+// A software renderer compiles a program for each pair of offsets. Bounds: what planes need that rounding has moved apart by a tenth of a
+// millimetre, which goes over 5.4 octaves in units and 3.6 in slopes between 1 and 100 m; two steps an octave, one more for the rest of one.
+TEST_F(CoincidentFacesTest, LayersHaveFewOffsetsWhereverTheEyeIs) {
+    constexpr double kGap = 1e-4;
+    constexpr int kDistances = 2000;
+    const dmat4 clipFromView = scene::clipFromView(scene::Camera{}, 4.0 / 3);
+    glViewport(0, 0, 960, 720);
+    std::set<std::pair<float, float>> steps;
+    for (int i = 0; i < kDistances; ++i) {
+        const double nearest = std::pow(100.0, static_cast<double>(i) / (kDistances - 1));
+        const gl::LayerStep step = gl::layerStep(kGap, nearest, clipFromView);
+        EXPECT_GE(step.units, 2 * kGap * std::abs(clipFromView[3][2]) / (2 * nearest * nearest) * (1 << 24)) << nearest;
+        EXPECT_GE(step.slopes, 2 * kGap / nearest * clipFromView[1][1] * 360) << nearest;
+        steps.emplace(step.slopes, step.units);
+    }
+    EXPECT_LE(steps.size(), 12u + 9u);
+    EXPECT_GE(steps.size(), 6u); // and they do follow the distance
 }
 
 TEST_F(CoincidentFacesTest, OfAHouseWrittenTwiceTheInsideIsSeenFromWithinAlone) {
