@@ -68,6 +68,7 @@
     }
 
     draw() {
+      if (!this.sides.length) return; // not decoded yet
       const { width, height } = this.data, context = this.canvas.getContext('2d');
       const edge = this.sides.length === 2 ? Math.round(this.split * width) : width;
       context.clearRect(0, 0, width, height);
