@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,19 @@ int round(const std::vector<scene::Snapshot>& scenes, std::size_t& bytes) {
     return pictures;
 }
 
+/// The least memory after each of a few rounds: a driver lets go of a shadow map that was deleted (16 MiB) some pictures later, so that one
+/// moment or another has two or three of them more. Memory that is lost is there at every moment.
+Held leastHeld(const std::vector<scene::Snapshot>& scenes, std::size_t& bytes, int& pictures) {
+    constexpr int kMoments = 8;
+    std::optional<Held> least;
+    for (int i = 0; i < kMoments; ++i) {
+        pictures += round(scenes, bytes);
+        const Held now = held();
+        if (!least || now.memoryKiB < least->memoryKiB) least = now;
+    }
+    return *least;
+}
+
 TEST_F(EnduranceTest, NothingGrows) {
     scene::Scene lit = testing::simpleScene(), sunny = testing::floorScene();
     sunny.lights.push_back(testing::directionalLight({0.5, -1, 0.25}));
@@ -75,10 +89,11 @@ TEST_F(EnduranceTest, NothingGrows) {
     std::size_t bytes = 0;
     for (int i = 0; i < 3; ++i) // drivers compile, allocators take what they will keep
         round(scenes, bytes);
-    const Held before = held();
+    int warming = 0;
+    const Held before = leastHeld(scenes, bytes, warming);
     while (pictures < wanted)
         pictures += round(scenes, bytes);
-    const Held after = held();
+    const Held after = leastHeld(scenes, bytes, pictures);
     std::printf("%d pictures: memory %ld to %ld KiB, of them allocated %ld to %ld, descriptors %td to %td, threads %td "
                 "to %td, GL objects %d to %d\n",
                 pictures, before.memoryKiB, after.memoryKiB, before.allocatedKiB, after.allocatedKiB,
