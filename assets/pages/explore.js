@@ -33,8 +33,8 @@
         if (this.failed) return;
         await new Promise(seen => requestAnimationFrame(() => setTimeout(seen)));
         inPlace(() => this.addControls());
-        this.built = true;
         this.refresh(...this.places(this.now));
+        this.built = true;
         this.root.dataset.ready = true;
       } catch (broken) {
         this.fail(broken);
@@ -136,7 +136,7 @@
 
     /// Changes what is chosen. One choice may undo another; setting and place of the lamp come back when stages, steps or answers are left.
     change(wanted) {
-      if (!this.built) return void this.ready.then(() => this.change(wanted));
+      if (!this.built) return void this.ready.then(() => { if (this.built) this.change(wanted) }); // it may have failed
       const before = this.now, next = { ...before, ...wanted };
       if (wanted.step) next.asking = false;
       if (wanted.asking) next.step = null;
@@ -276,7 +276,7 @@
     root.classList.add('excused');
   }
 
-  const wide = matchMedia('(min-width: 701px)'), labs = new Map(), tried = new Set(), seen = new Set();
+  const wide = matchMedia('(min-width: 701px)'), labs = new Map(), seen = new Set(); // `labs`: null for one that cannot be shown
 
   let moved = false; // by a hand; until then the window belongs to the slide that the address names
   for (const kind of ['touchstart', 'pointerdown', 'wheel', 'keydown'])
@@ -302,11 +302,11 @@
   async function update() {
     for (const [section, lab] of labs) {
       const open = isOpen(section);
-      if (Boolean(lab.open) !== open) if (open) lab.enter(); else lab.close();
+      if (lab && Boolean(lab.open) !== open) if (open) lab.enter(); else lab.close();
     }
     if (building) return;
     building = true;
-    for (let missing; (missing = sections.filter(section => isOpen(section) && !tried.has(section))).length;) {
+    for (let missing; (missing = sections.filter(section => isOpen(section) && !labs.has(section))).length;) {
       const from = section => Math.abs(section.getBoundingClientRect().top);
       await build(missing.length === 1 ? missing[0] : missing.reduce((best, section) => from(section) < from(best) ? section : best));
     }
@@ -315,7 +315,7 @@
 
   async function build(section) {
     const root = section.querySelector('.explore');
-    tried.add(section);
+    labs.set(section, null);
     try {
       if (typeof createImageBitmap === 'undefined') throw new Error('it has no createImageBitmap');
       inPlace(() => {

@@ -46,6 +46,13 @@ def lab_is_there(lab):
     lab.expect(lab.ask("typeof element === 'undefined' && typeof ShadowlabExplore === 'object'"), "the script leaks names into the page")
 
 
+def says_nothing_at_first(lab):
+    """What stands there from the start is not read out; it would be, for every lab that comes near while the page is scrolled."""
+    time.sleep(1)  # more than the rest after which numbers are read out
+    said = lab.ask("ROOT.querySelector('.spoken').textContent")
+    lab.expect(said == "", f"is read out though nothing was changed: {said}")
+
+
 def lamp_moves(lab, finger=False):
     start, first = lab.lamp(), lab.picture()
     if not finger:
@@ -267,11 +274,17 @@ def does_without(browser, page):
     lab.click(".ring", 5)
     lab.wait("ROOT.querySelector('.verdict').textContent.includes('cannot unpack')", "a word on answers that cannot be unpacked")
     task_is_judged(Lab(browser, page, ALONE), False)
-    browser.before("delete self.createImageBitmap")
-    browser.open("about:blank")
-    browser.open(f"{page.as_uri()}#{PAIR}")
-    browser.wait(f"document.querySelector('#{PAIR} .sheet').offsetHeight > 300", "the still slide where there can be no lab")
-    browser.wait(f"document.querySelector('#{PAIR} .excuse').offsetHeight > 10", "a word on why there is no lab")
+    # A picture that cannot be decoded, with a view asked for meanwhile; and no way to decode any.
+    late = "self.createImageBitmap = () => new Promise((kept, fail) => setTimeout(() => fail(new Error('no memory')), 500))"
+    press = f"[document.querySelector('#{PAIR} .left input:not(:checked)')].some(view => view && (view.click(), true))"
+    for script in (late, "delete self.createImageBitmap"):
+        browser.before(script)
+        browser.open("about:blank")
+        browser.open(f"{page.as_uri()}#{PAIR}")
+        if script == late:
+            browser.wait(press, "a view before the first picture")
+        browser.wait(f"document.querySelector('#{PAIR} .sheet').offsetHeight > 300", "the still slide where there can be no lab")
+        browser.wait(f"document.querySelector('#{PAIR} .excuse').offsetHeight > 10", "a word on why there is no lab")
 
 
 def check(browser, page, keep):
@@ -291,7 +304,7 @@ def check(browser, page, keep):
 
     browser.window(*WIDE)
     lab = Lab(browser, page, PAIR)
-    for test in (lab_is_there, lamp_moves, line_moves, setting_changes, views_change, steps_go_on, pixel_answers):
+    for test in (lab_is_there, says_nothing_at_first, lamp_moves, line_moves, setting_changes, views_change, steps_go_on, pixel_answers):
         run(test, lab)
     picture("pair")
     for window in WINDOWS:
