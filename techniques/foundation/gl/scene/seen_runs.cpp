@@ -20,7 +20,7 @@ constexpr int kDepthBits = 24;
 constexpr double kGaps = 2;
 
 // A software renderer compiles a program of its own for each pair of offsets. A step that followed the camera exactly would make it do so for
-// every object in every frame, which took half of them. So steps are rounded up to the next of a few.
+// every object in every frame, half of the frame. So steps are rounded up to the next of a few.
 constexpr double kStepsPerOctave = 2;
 
 float roundedUp(double step) { return static_cast<float>(std::exp2(std::ceil(kStepsPerOctave * std::log2(step)) / kStepsPerOctave)); }
