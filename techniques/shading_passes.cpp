@@ -12,6 +12,22 @@ void clearFinished(const scene::Scene& scene) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
+/// The radiance of every surface with its lights off, if it is the same for all, and all receive shadows.
+std::optional<vec3> onlyLightsOff(const scene::Scene& scene, const gl::SceneBuffers& buffers) {
+    if (buffers.anyOwnColors()) return std::nullopt;
+    std::optional<vec3> only;
+    for (const scene::Object& object : scene.objects) {
+        if (!object.receivesShadow) return std::nullopt;
+        for (const std::size_t index : object.partMaterials) {
+            const scene::Material& material = scene.materials[index];
+            const vec3 reflected = scene.ambient * material.diffuse;
+            if (material.emission != vec3(0) || (only && *only != reflected)) return std::nullopt;
+            only = reflected;
+        }
+    }
+    return only;
+}
+
 } // namespace
 
 void ShadingPasses::lightsOff(const Frame& frame, Depths depths) {
@@ -43,9 +59,11 @@ void StencilledPasses::lightsOff(Frame& frame) {
         return;
     }
     if (scene.lights.size() == 1) {
-        frame.bindInShadowToo();
+        onlyLightsOff_ = onlyLightsOff(scene, frame.buffers());
+        if (!onlyLightsOff_) frame.bindInShadowToo();
         clearFinished(scene);
-        gl::useForLight(light_, scene, frame.buffers(), frame.eye(), 0, gl::ShadedAs::finishedAndInShadow);
+        gl::useForLight(light_, scene, frame.buffers(), frame.eye(), 0,
+                        onlyLightsOff_ ? gl::ShadedAs::finished : gl::ShadedAs::finishedAndInShadow);
         gl::drawSurfaces(light_, scene, frame.buffers(), frame.eye());
         return;
     }
@@ -58,10 +76,16 @@ void StencilledPasses::lightsOff(Frame& frame) {
 }
 
 void StencilledPasses::hide(Frame& frame, int light, const std::optional<scene::PicturePart>& part, GLuint stencilMask) const {
-    glDisable(GL_DEPTH_TEST);
+    // On surfaces alone: a volume that ends nowhere is counted on the background, too.
+    glDepthRange(1, 1);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_FALSE);
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_NOTEQUAL, 0, stencilMask);
-    if (frame.scene().lights.size() == 1) {
+    if (frame.scene().lights.size() == 1 && onlyLightsOff_) {
+        color_.use();
+        color_.set("color", vec4(gl::finished(*onlyLightsOff_, frame.scene().exposure), 1));
+    } else if (frame.scene().lights.size() == 1) {
         inShadow_.use();
         inShadow_.set("inShadow", 0);
         frame.inShadow().bind(0);

@@ -30,7 +30,7 @@ private:
 };
 
 /// For a technique that decides with the stencil, after the surfaces are drawn. Finished pixels of one light are drawn twice, lit and
-/// in shadow, and chosen from in the end; of several, the lights that are hidden are noted one by one, and then all are shaded at once.
+/// in shadow, and chosen from in the end; where all surfaces have one colour in shadow, that is drawn over the pixels that are lit. Of several, the lights that are hidden are noted one by one, and then all are shaded at once.
 class StencilledPasses {
 public:
     /// Of the pass "lights-off". Finished pixels: draws each surface lit by the one light, and as it is where that is hidden; or, of
@@ -49,9 +49,11 @@ private:
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program light_{"surface.vert", "shade_light.frag"};
     gl::Program inShadow_{"fullscreen.vert", "in_shadow.frag"};
+    gl::Program color_{"fullscreen.vert", "constant.frag"};
     gl::Program depths_{"position.vert", "nothing.frag"};
     gl::Program hide_{"fullscreen.vert", "hide_light.frag"};
     gl::Program allLights_{"surface.vert", "shade_lights.frag"};
+    std::optional<vec3> onlyLightsOff_; ///< radiance of all surfaces without the one light, where it is the same
 };
 
 } // namespace shadowlab

@@ -41,6 +41,7 @@ const std::vector<Variant>& variants() {
         {"shadow-volume-zpass", {"eye-correction=true", "repair=true"}},
         {"shadow-volume-zfail", {}},
         {"shadow-volume-zfail", {"counter=float"}},
+        {"shadow-volume-zpass", {"volume-end=infinity"}},
         {"shadow-volume", {}},
         {"shadow-volume", {"two-sided=false"}},
         {"shadow-map", {"filter=hard"}},
@@ -203,6 +204,34 @@ TEST_F(FinishedPixels, OfImagesAndColoursOfVerticesAreThoseOfRadiance) {
         compared.compare(testing::snapshot(one), viewOf(one, {192, 120}));
         compared.compare(withLights(one, 3), viewOf(one, {192, 120}));
         EXPECT_EQ(compared.scenes, variant.manyLights ? 2 : 1) << variant.technique;
+    }
+}
+
+// One colour in shadow is drawn over the lit picture, and nowhere on the background, on which a volume without an end is counted.
+TEST_F(FinishedPixels, OfOneColourInShadowAreThoseOfRadiance) {
+    std::vector<scene::Snapshot> snapshots;
+    for (unsigned number = 0; number < 20; ++number) {
+        scene::Scene scene = testing::randomScene(number);
+        scene.lights.resize(1);
+        scene.background = {0.2f, 0.6f, 0.9f};
+        scene::Material material;
+        material.diffuse = {0.7f, 0.6f, 0.5f};
+        scene.materials.assign(scene.materials.size(), material);
+        for (scene::Object& object : scene.objects) {
+            object.emitterOfLight = -1;
+            object.receivesShadow = true;
+        }
+        if (number % 4 == 0) scene.objects.back().receivesShadow = false; // two colours
+        snapshots.push_back(testing::snapshot(scene));
+    }
+    for (const Variant& variant : variants()) {
+        Compared compared(variant);
+        for (const scene::Snapshot& snapshot : snapshots)
+            compared.compare(snapshot, viewOf(*snapshot, {96, 64}));
+        EXPECT_GE(compared.scenes, 15) << variant.technique;
+        if (variant.technique != "unshadowed") {
+            EXPECT_GE(compared.shadowed, 1'000u) << variant.technique;
+        }
     }
 }
 
