@@ -2,6 +2,7 @@
 #include "techniques/foundation/gl/scene/mesh_buffers.h"
 
 #include <span>
+#include <utility>
 
 namespace shadowlab::gl {
 
@@ -54,7 +55,7 @@ void drawTriangles(const VertexArrayHandle& array, std::uint32_t first, std::uin
 
 MeshBuffers::MeshBuffers(const scene::Mesh& mesh)
     : vertexArray_(VertexArrayHandle::create()), numberedArray_(VertexArrayHandle::create()) {
-    const NumberedTriangles withNumbers = numbered(mesh);
+    NumberedTriangles withNumbers = numbered(mesh);
     positions_ = uploadWithCopies(mesh.positionsMesh, withNumbers.copied);
     normals_ = uploadWithCopies(mesh.normalsMesh, withNumbers.copied);
     if (!mesh.texcoords.empty()) texcoords_ = uploadWithCopies(mesh.texcoords, withNumbers.copied);
@@ -68,6 +69,7 @@ MeshBuffers::MeshBuffers(const scene::Mesh& mesh)
     bindNumbers();
     numberedIndices_ = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, withNumbers.triangles);
     glBindVertexArray(0);
+    numberedTriangles_ = std::move(withNumbers.triangles);
 }
 
 void MeshBuffers::bindAttributes(const scene::Mesh& mesh) const {
@@ -111,7 +113,7 @@ OrderedTriangles::OrderedTriangles(const scene::Mesh& mesh, const MeshBuffers& b
     glBindVertexArray(numberedArray_.id());
     buffers.bindAttributes(mesh);
     buffers.bindNumbers();
-    numberedIndices_ = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, ordered(numbered(mesh).triangles));
+    numberedIndices_ = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, ordered(buffers.numberedTriangles_));
     glBindVertexArray(0);
 }
 

@@ -39,6 +39,7 @@ private:
     friend class OrderedTriangles;
     void bindAttributes(const scene::Mesh& mesh) const;
     void bindNumbers() const;
+    std::vector<uvec3> numberedTriangles_; ///< the mesh's, each with a last vertex of its own
     BufferHandle positions_, normals_, texcoords_, colors_, numbers_, indices_, numberedIndices_;
     VertexArrayHandle vertexArray_, numberedArray_;
 };

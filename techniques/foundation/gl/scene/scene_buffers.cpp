@@ -34,6 +34,9 @@ Texture2D uploadColors(const scene::ColorImage* image) {
     return texture;
 }
 
+// The eye, and a light that has moved since: two pictures of one scene have the same ones.
+constexpr std::size_t kMostViewers = 4;
+
 } // namespace
 
 void SceneBuffers::update(const scene::Snapshot& snapshot) {
@@ -44,6 +47,7 @@ void SceneBuffers::update(const scene::Snapshot& snapshot) {
         facing_.clear();
         facingOfAllLights_.reset();
     }
+    if (!sameGeometry) fronts_.clear();
     if (!samePlaces) bounds_ = scene::objectBounds(*snapshot);
     // The previous snapshot is kept until the end of the function, so that no new mesh has the address of an old one.
     const scene::Snapshot previous = std::exchange(snapshot_, snapshot);
@@ -130,6 +134,20 @@ const Texture2D& SceneBuffers::colorImage(std::size_t object, std::size_t part) 
 const Texture2D* SceneBuffers::mask(std::size_t object, std::size_t part) const {
     const scene::AlphaMask* mask = scene::maskOfPart(*snapshot_, snapshot_->objects[object], part);
     return mask ? &masks_.at(mask) : nullptr;
+}
+
+const FrontTriangles* SceneBuffers::fronts(std::size_t object, const dvec4& viewerMesh) const {
+    const scene::Mesh& mesh = *snapshot_->objects[object].mesh;
+    if (!paysToListFronts(mesh)) return nullptr;
+    std::vector<FrontTriangles>& known = fronts_[object]; // the one asked for last stands last
+    const auto found = std::ranges::find(known, viewerMesh, &FrontTriangles::viewerMesh);
+    if (found != known.end()) {
+        std::rotate(found, found + 1, known.end());
+    } else {
+        if (known.size() == kMostViewers) known.erase(known.begin());
+        known.emplace_back(mesh, *objectMeshes_[object], viewerMesh);
+    }
+    return &known.back();
 }
 
 const TriangleTexture& SceneBuffers::facing(int light) const {

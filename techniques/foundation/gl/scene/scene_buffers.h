@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "techniques/foundation/gl/program.h"
+#include "techniques/foundation/gl/scene/front_triangles.h"
 #include "techniques/foundation/gl/scene/mesh_buffers.h"
 #include "techniques/foundation/gl/scene/seen_runs.h"
 #include "techniques/foundation/gl/texture.h"
@@ -39,6 +40,9 @@ public:
         const auto found = seenRuns_.find(object);
         return found == seenRuns_.end() ? nullptr : &found->second;
     }
+    /// What of the object can show its front to such a viewer (front_triangles.h), made when first asked for. nullptr: to draw all of
+    /// it is as quick.
+    [[nodiscard]] const FrontTriangles* fronts(std::size_t object, const dvec4& viewerMesh) const;
     /// Number of triangles in the objects before this one: triangle t of it has the scene-wide index base + t.
     [[nodiscard]] int triangleBase(std::size_t object) const { return triangleBases_[object]; }
     /// Boxes around the objects (scene::objectBounds), made when the scene changes.
@@ -70,6 +74,7 @@ private:
     std::map<std::size_t, SeenRuns> seenRuns_; ///< by object
     /// Objects of one mesh that are drawn alike share them: columns on a floor. By mesh and order.
     std::map<std::pair<const scene::Mesh*, std::vector<std::uint32_t>>, std::shared_ptr<const OrderedTriangles>> ordered_;
+    mutable std::map<std::size_t, std::vector<FrontTriangles>> fronts_; ///< by object, of the last few viewers
     mutable std::map<int, TriangleTexture> facing_;
     mutable std::optional<TriangleTexture> facingOfAllLights_;
     Program greyed_{"fullscreen.vert", "greyed.frag"};

@@ -31,6 +31,14 @@ void drawRun(const Program& program, const SceneBuffers& buffers, std::size_t in
     triangles.drawNumbered(first, count);
 }
 
+/// The same of the mesh's own order; where backs are culled, by the state, what is culled for certain is not drawn.
+void drawSides(const Program& program, const SceneBuffers& buffers, std::size_t index, const dmat4& clipFromMesh, std::uint32_t first,
+               std::uint32_t count) {
+    const FrontTriangles* fronts = glIsEnabled(GL_CULL_FACE) ? buffers.fronts(index, viewerMesh(clipFromMesh)) : nullptr;
+    if (fronts) return drawRun(program, buffers, index, *fronts, first, count);
+    drawRun(program, buffers, index, buffers.mesh(index), first, count);
+}
+
 SeenObject seenObject(const scene::Object& object, const SeenRuns& runs, const scene::Bounds& box, const EyeMatrices& eye) {
     const dvec3 eyeWorld = transformPoint(glm::inverse(eye.viewFromWorld), dvec3(0));
     const double toBox = glm::distance(eyeWorld, glm::clamp(eyeWorld, box.lowerWorld, box.upperWorld));
@@ -44,7 +52,7 @@ void drawSeen(const Program& program, const scene::Scene& scene, const SceneBuff
               std::size_t part) {
     const scene::MeshPart& run = scene.objects[index].mesh->parts[part];
     const SeenRuns* runs = buffers.seenRuns(index);
-    if (!runs) return drawRun(program, buffers, index, buffers.mesh(index), run.firstTriangle, run.triangleCount);
+    if (!runs) return drawSides(program, buffers, index, eye.clipFromMesh(scene.objects[index]), run.firstTriangle, run.triangleCount);
     drawInLayers(runs->ofPart[part], seenObject(scene.objects[index], *runs, buffers.bounds()[index], eye),
                  [&](std::uint32_t first, std::uint32_t count) {
                      drawRun(program, buffers, index, *runs->triangles, first, count);
@@ -177,7 +185,7 @@ void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuf
     program.use();
     program.set("clipFromMesh", mat4(clipFromMesh));
     if (!buffers.hasHoles(object))
-        return drawRun(program, buffers, object, buffers.mesh(object), 0, static_cast<std::uint32_t>(mesh.triangles.size()));
+        return drawSides(program, buffers, object, clipFromMesh, 0, static_cast<std::uint32_t>(mesh.triangles.size()));
     for (std::size_t part = 0; part < mesh.parts.size(); ++part)
         drawRun(useForDepth(program, scene, buffers, object, part, clipFromMesh), buffers, object, buffers.mesh(object),
                 mesh.parts[part].firstTriangle, mesh.parts[part].triangleCount);
