@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/gl/scene/id_buffer.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "tests/support/gl_fixture.h"
@@ -44,6 +46,35 @@ TEST_F(IdBufferTest, NamesTheTriangleThatTheRaySees) {
         EXPECT_GT(ofMirrored, 100);
         EXPECT_LT(different, surfaces / 500);
     }
+}
+
+// Of so large a mesh a software renderer is given the fronts alone (front_triangles.h): those of the mirrored and stretched object.
+TEST_F(IdBufferTest, NamesTheTrianglesOfALargeMirroredMesh) {
+    scene::Scene scene = testing::floorScene();
+    dmat4 turned = testing::translation({0, 1, 0}) * glm::rotate(dmat4(1), 1.1, dvec3(1, 0.3, 0.2));
+    testing::addObject(scene, scene::makeTorus(0.8, 0.3, {80, 40}), turned * glm::scale(dmat4(1), dvec3(-1, 1.4, 1)));
+    scene.camera.positionWorld = {0.5, 1.8, 3};
+    scene.camera.targetWorld = {0, 1, 0};
+    const auto snapshot = testing::snapshot(scene);
+    gl::SceneBuffers buffers;
+    buffers.update(snapshot);
+    const trace::ExactVisibility judge(snapshot);
+    const ivec2 size(480, 360);
+    gl::IdBuffer idBuffer;
+    idBuffer.draw(scene, buffers, gl::eyeMatrices(scene.camera, size), size);
+    const std::vector<std::uint32_t> ids = idBuffer.read();
+    int ofTorus = 0, different = 0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const auto hit = judge.eyeHit(scene.camera, dvec2(x, y) + 0.5, size);
+            if (!hit || hit->object + 1 != scene.objects.size()) continue;
+            ++ofTorus;
+            different += ids[static_cast<std::size_t>(y * size.x + x)] != static_cast<std::uint32_t>(buffers.triangleBase(hit->object)) + hit->triangle;
+        }
+    EXPECT_GT(ofTorus, 20'000);
+    // An edge passes within 1/512 of a pixel of the centre, where the rasteriser moves corners to a grid of 1/256: triangles some five pixels
+    // wide have 0.6 pixels of edge for each of area.
+    EXPECT_LT(different, ofTorus / 200);
 }
 
 // Also inside a closed ball, of which no back face would be seen if it had no holes.

@@ -37,6 +37,12 @@ Texture2D uploadColors(const scene::ColorImage* image) {
 // The eye, and a light that has moved since: two pictures of one scene have the same ones.
 constexpr std::size_t kMostViewers = 4;
 
+/// One viewer, found from two projections of another near plane or width: apart by their rounding, a millionth of what a list leaves open.
+bool isSameViewer(const dvec4& one, const dvec4& other) {
+    constexpr double kRounding = 1e-9;
+    return one.w == other.w && glm::distance(dvec3(one), dvec3(other)) <= kRounding * glm::length(dvec3(one));
+}
+
 } // namespace
 
 void SceneBuffers::update(const scene::Snapshot& snapshot) {
@@ -140,7 +146,7 @@ const FrontTriangles* SceneBuffers::fronts(std::size_t object, const dvec4& view
     const scene::Mesh& mesh = *snapshot_->objects[object].mesh;
     if (!paysToListFronts(mesh)) return nullptr;
     std::vector<FrontTriangles>& known = fronts_[object]; // the one asked for last stands last
-    const auto found = std::ranges::find(known, viewerMesh, &FrontTriangles::viewerMesh);
+    const auto found = std::ranges::find_if(known, [&](const FrontTriangles& list) { return isSameViewer(list.viewerMesh(), viewerMesh); });
     if (found != known.end()) {
         std::rotate(found, found + 1, known.end());
     } else {
