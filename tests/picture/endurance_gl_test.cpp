@@ -4,6 +4,7 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -91,12 +92,15 @@ TEST_F(EnduranceTest, NothingGrows) {
         round(scenes, bytes);
     int warming = 0;
     const Held before = leastHeld(scenes, bytes, warming);
-    while (pictures < wanted)
-        pictures += round(scenes, bytes);
-    const Held after = leastHeld(scenes, bytes, pictures);
-    std::printf("%d pictures: memory %ld to %ld KiB, of them allocated %ld to %ld, descriptors %td to %td, threads %td "
+    const auto drawUntil = [&](int count) {
+        while (pictures < count)
+            pictures += round(scenes, bytes);
+        return leastHeld(scenes, bytes, pictures);
+    };
+    const Held halfway = drawUntil(wanted / 2), after = drawUntil(wanted);
+    std::printf("%d pictures: memory %ld by way of %ld to %ld KiB, of them allocated %ld to %ld, descriptors %td to %td, threads %td "
                 "to %td, GL objects %d to %d\n",
-                pictures, before.memoryKiB, after.memoryKiB, before.allocatedKiB, after.allocatedKiB,
+                pictures, before.memoryKiB, halfway.memoryKiB, after.memoryKiB, before.allocatedKiB, after.allocatedKiB,
                 before.descriptors, after.descriptors, before.threads, after.threads, before.glObjects,
                 after.glObjects);
     EXPECT_GE(bytes, static_cast<std::size_t>(wanted) * 40 * 30 * 3);
@@ -104,10 +108,11 @@ TEST_F(EnduranceTest, NothingGrows) {
     EXPECT_EQ(after.threads, before.threads);
     EXPECT_EQ(after.glObjects, before.glObjects);
     // What an allocator does not give back differs by some MiB between runs. A picture that is lost each time (5 KiB) would be 47 MiB
-    // of ten thousand; in the short form only the counts above are sharp.
-    constexpr long kAllocatorKiB = 24 * 1024;
+    // of ten thousand; in the short form only the counts above are sharp. Now and then a driver keeps three maps from some moment on,
+    // and no more after that: what is lost with each picture is lost in both halves.
+    constexpr long kAllocatorKiB = 12 * 1024;
 #ifndef __SANITIZE_ADDRESS__ // which keeps what was freed, and finds what is lost by itself
-    EXPECT_LE(after.memoryKiB - before.memoryKiB, kAllocatorKiB);
+    EXPECT_LE(std::min(halfway.memoryKiB - before.memoryKiB, after.memoryKiB - halfway.memoryKiB), kAllocatorKiB);
 #endif
 }
 
