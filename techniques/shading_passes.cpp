@@ -82,14 +82,7 @@ void StencilledPasses::hide(Frame& frame, int light, const std::optional<scene::
     glDepthMask(GL_FALSE);
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_NOTEQUAL, 0, stencilMask);
-    if (frame.scene().lights.size() == 1 && onlyLightsOff_) {
-        color_.use();
-        color_.set("color", vec4(gl::finished(*onlyLightsOff_, frame.scene().exposure), 1));
-    } else if (frame.scene().lights.size() == 1) {
-        inShadow_.use();
-        inShadow_.set("inShadow", 0);
-        frame.inShadow().bind(0);
-    } else {
+    if (frame.scene().lights.size() > 1) {
         frame.bindHiddenLights();
         glEnable(GL_BLEND); // bits of eight lights add up to a byte
         glBlendFunc(GL_ONE, GL_ONE);
@@ -97,6 +90,13 @@ void StencilledPasses::hide(Frame& frame, int light, const std::optional<scene::
         bit[light / 8] = static_cast<float>(1 << light % 8) / 255.0f;
         hide_.use();
         hide_.set("bit", bit);
+    } else if (onlyLightsOff_) {
+        color_.use();
+        color_.set("color", vec4(gl::finished(*onlyLightsOff_, frame.scene().exposure), 1));
+    } else {
+        inShadow_.use();
+        inShadow_.set("inShadow", 0);
+        frame.inShadow().bind(0);
     }
     frame.scissorTo(part);
     gl::drawFullscreenTriangle();

@@ -30,7 +30,8 @@ private:
 };
 
 /// For a technique that decides with the stencil, after the surfaces are drawn. Finished pixels of one light are drawn twice, lit and
-/// in shadow, and chosen from in the end; where all surfaces have one colour in shadow, that is drawn over the pixels that are lit. Of several, the lights that are hidden are noted one by one, and then all are shaded at once.
+/// in shadow, and chosen from in the end; where all surfaces have one colour in shadow, they are drawn lit, and that colour over them. Of
+/// several lights those that are hidden are noted one by one, and then all are shaded at once.
 class StencilledPasses {
 public:
     /// Of the pass "lights-off". Finished pixels: draws each surface lit by the one light, and as it is where that is hidden; or, of

@@ -111,6 +111,11 @@ public:
                                 << snapshot->lights.size() << " lights";
     }
 
+    void compareAll(const std::vector<scene::Snapshot>& snapshots, ivec2 size) {
+        for (const scene::Snapshot& snapshot : snapshots)
+            compare(snapshot, viewOf(*snapshot, size));
+    }
+
 private:
     [[nodiscard]] image::Image encoded(const picture::Slot& slot, const scene::Scene& scene) const {
         return encoder_.encode(slot.target.color, scene.exposure);
@@ -137,8 +142,7 @@ TEST_F(FinishedPixels, AreThoseOfRadianceInEveryBuiltInScene) {
         snapshots.push_back(scene::loadScene(name, options));
     for (const Variant& variant : variants()) {
         Compared compared(variant);
-        for (const scene::Snapshot& snapshot : snapshots)
-            compared.compare(snapshot, viewOf(*snapshot, {192, 120}));
+        compared.compareAll(snapshots, {192, 120});
         // Ten of the thirteen scenes have one light, one of these a leaf with holes.
         const int scenes = variant.manyLights ? 12 : 9;
         EXPECT_GE(compared.scenes, scenes) << variant.technique;
@@ -161,8 +165,7 @@ TEST_F(FinishedPixels, AreThoseOfRadianceInRandomScenes) {
     }
     for (const Variant& variant : variants()) {
         Compared compared(variant);
-        for (const scene::Snapshot& snapshot : snapshots)
-            compared.compare(snapshot, viewOf(*snapshot, {96, 64}));
+        compared.compareAll(snapshots, {96, 64});
         EXPECT_GE(compared.scenes, 15) << variant.technique;
     }
 }
@@ -189,8 +192,7 @@ TEST_F(FinishedPixels, OfManyLightsAreThoseOfRadiance) {
         snapshots.push_back(withLights(*scene::loadScene("sphere-on-plane", loadOptions()), lights));
     for (const Variant& variant : variants()) {
         Compared compared(variant);
-        for (const scene::Snapshot& snapshot : snapshots)
-            compared.compare(snapshot, viewOf(*snapshot, {96, 64}));
+        compared.compareAll(snapshots, {96, 64});
         if (variant.manyLights) {
             EXPECT_GE(compared.scenes, 15) << variant.technique;
         }
@@ -226,8 +228,7 @@ TEST_F(FinishedPixels, OfOneColourInShadowAreThoseOfRadiance) {
     }
     for (const Variant& variant : variants()) {
         Compared compared(variant);
-        for (const scene::Snapshot& snapshot : snapshots)
-            compared.compare(snapshot, viewOf(*snapshot, {96, 64}));
+        compared.compareAll(snapshots, {96, 64});
         EXPECT_GE(compared.scenes, 15) << variant.technique;
         if (variant.technique != "unshadowed") {
             EXPECT_GE(compared.shadowed, 1'000u) << variant.technique;

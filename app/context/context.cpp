@@ -11,6 +11,7 @@
 #include "app/context/mesa.h"
 #include "app/context/software.h"
 #include "techniques/foundation/base/error.h"
+#include "techniques/foundation/base/software.h"
 
 namespace shadowlab::context {
 namespace {

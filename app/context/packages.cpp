@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/context/software.h"
+#include "techniques/foundation/base/software.h"
 
 namespace shadowlab::context {
 

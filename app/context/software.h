@@ -2,7 +2,6 @@
 // with the same Mesa whose processor has AVX.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <string_view>
 
 namespace shadowlab::context {
 
@@ -10,8 +9,5 @@ namespace shadowlab::context {
 /// context: Mesa reads its environment when it is loaded.
 void demandSoftware();
 [[nodiscard]] bool isSoftwareDemanded();
-
-/// By what GL_RENDERER says.
-[[nodiscard]] bool isSoftware(std::string_view renderer);
 
 } // namespace shadowlab::context

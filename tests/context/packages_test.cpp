@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "app/context/backends.h"
-#include "app/context/software.h"
+#include "techniques/foundation/base/software.h"
 #include "tests/foundation/scene/scene_files.h"
 
 namespace shadowlab::context {

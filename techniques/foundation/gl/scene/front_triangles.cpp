@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
+
+#include "techniques/foundation/base/software.h"
 
 namespace shadowlab::gl {
 
@@ -18,14 +19,11 @@ constexpr double kLeastSine = 1e-3;
 // A viewer so much farther away than its own coordinates count for is a direction.
 constexpr double kNoPoint = 1e-12;
 
-bool drawsOnProcessor() {
-    const auto* const name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    return name && std::string_view(name).starts_with("llvmpipe");
-}
-
 } // namespace
 
-bool paysToListFronts(const scene::Mesh& mesh) { return mesh.triangles.size() >= kFewest && drawsOnProcessor(); }
+bool paysToListFronts(const scene::Mesh& mesh) {
+    return mesh.triangles.size() >= kFewest && isSoftware(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+}
 
 dvec4 viewerMesh(const dmat4& clipFromMesh) {
     // What is projected to no place in the picture, and to no depth.

@@ -142,18 +142,16 @@ const Texture2D* SceneBuffers::mask(std::size_t object, std::size_t part) const 
     return mask ? &masks_.at(mask) : nullptr;
 }
 
-const FrontTriangles* SceneBuffers::fronts(std::size_t object, const dvec4& viewerMesh) const {
-    const scene::Mesh& mesh = *snapshot_->objects[object].mesh;
-    if (!paysToListFronts(mesh)) return nullptr;
+const FrontTriangles& SceneBuffers::fronts(std::size_t object, const dvec4& viewerMesh) const {
     std::vector<FrontTriangles>& known = fronts_[object]; // the one asked for last stands last
     const auto found = std::ranges::find_if(known, [&](const FrontTriangles& list) { return isSameViewer(list.viewerMesh(), viewerMesh); });
     if (found != known.end()) {
         std::rotate(found, found + 1, known.end());
     } else {
         if (known.size() == kMostViewers) known.erase(known.begin());
-        known.emplace_back(mesh, *objectMeshes_[object], viewerMesh);
+        known.emplace_back(*snapshot_->objects[object].mesh, *objectMeshes_[object], viewerMesh);
     }
-    return &known.back();
+    return known.back();
 }
 
 const TriangleTexture& SceneBuffers::facing(int light) const {

@@ -40,9 +40,10 @@ public:
         const auto found = seenRuns_.find(object);
         return found == seenRuns_.end() ? nullptr : &found->second;
     }
-    /// What of the object can show its front to such a viewer (front_triangles.h), made when first asked for. nullptr: to draw all of
-    /// it is as quick.
-    [[nodiscard]] const FrontTriangles* fronts(std::size_t object, const dvec4& viewerMesh) const;
+    /// Is it quicker to draw a list of the object's fronts than to let backs be culled?
+    [[nodiscard]] bool listsFronts(std::size_t object) const { return paysToListFronts(*snapshot_->objects[object].mesh); }
+    /// What of the object can show its front to such a viewer (front_triangles.h), made when first asked for.
+    [[nodiscard]] const FrontTriangles& fronts(std::size_t object, const dvec4& viewerMesh) const;
     /// Number of triangles in the objects before this one: triangle t of it has the scene-wide index base + t.
     [[nodiscard]] int triangleBase(std::size_t object) const { return triangleBases_[object]; }
     /// Boxes around the objects (scene::objectBounds), made when the scene changes.

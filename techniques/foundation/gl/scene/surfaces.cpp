@@ -31,11 +31,13 @@ void drawRun(const Program& program, const SceneBuffers& buffers, std::size_t in
     triangles.drawNumbered(first, count);
 }
 
-/// The same of the mesh's own order; where backs are culled, by the state, what is culled for certain is not drawn.
-void drawSides(const Program& program, const SceneBuffers& buffers, std::size_t index, const dmat4& clipFromMesh, std::uint32_t first,
-               std::uint32_t count) {
-    const FrontTriangles* fronts = glIsEnabled(GL_CULL_FACE) ? buffers.fronts(index, viewerMesh(clipFromMesh)) : nullptr;
-    if (fronts) return drawRun(program, buffers, index, *fronts, first, count);
+/// The same of the mesh's own order; where backs are culled, by the state, those of a large mesh are not even drawn. `clipFromMesh()` is asked
+/// for these meshes alone.
+template <typename ClipFromMesh>
+void drawSides(const Program& program, const SceneBuffers& buffers, std::size_t index, std::uint32_t first, std::uint32_t count,
+               const ClipFromMesh& clipFromMesh) {
+    if (buffers.listsFronts(index) && glIsEnabled(GL_CULL_FACE))
+        return drawRun(program, buffers, index, buffers.fronts(index, viewerMesh(clipFromMesh())), first, count);
     drawRun(program, buffers, index, buffers.mesh(index), first, count);
 }
 
@@ -52,7 +54,8 @@ void drawSeen(const Program& program, const scene::Scene& scene, const SceneBuff
               std::size_t part) {
     const scene::MeshPart& run = scene.objects[index].mesh->parts[part];
     const SeenRuns* runs = buffers.seenRuns(index);
-    if (!runs) return drawSides(program, buffers, index, eye.clipFromMesh(scene.objects[index]), run.firstTriangle, run.triangleCount);
+    if (!runs)
+        return drawSides(program, buffers, index, run.firstTriangle, run.triangleCount, [&] { return eye.clipFromMesh(scene.objects[index]); });
     drawInLayers(runs->ofPart[part], seenObject(scene.objects[index], *runs, buffers.bounds()[index], eye),
                  [&](std::uint32_t first, std::uint32_t count) {
                      drawRun(program, buffers, index, *runs->triangles, first, count);
@@ -185,7 +188,7 @@ void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuf
     program.use();
     program.set("clipFromMesh", mat4(clipFromMesh));
     if (!buffers.hasHoles(object))
-        return drawSides(program, buffers, object, clipFromMesh, 0, static_cast<std::uint32_t>(mesh.triangles.size()));
+        return drawSides(program, buffers, object, 0, static_cast<std::uint32_t>(mesh.triangles.size()), [&] { return clipFromMesh; });
     for (std::size_t part = 0; part < mesh.parts.size(); ++part)
         drawRun(useForDepth(program, scene, buffers, object, part, clipFromMesh), buffers, object, buffers.mesh(object),
                 mesh.parts[part].firstTriangle, mesh.parts[part].triangleCount);
