@@ -174,7 +174,8 @@ TEST_F(ReportTest, GoesOnWhereItWasStopped) {
 }
 
 TEST_F(ReportTest, HardCasesAreATableOfTheirOwn) {
-    succeed({"report", "--hard", "--quick", "-o", "hard"}); // else 1
+    // Seventy scenes take a minute, beside other tests two; who takes ten has stopped.
+    succeed({"report", "--hard", "--quick", "-o", "hard"}, {.timeoutSeconds = 600}); // else 1
     const Json hard = Json::parse(fileContent(folder.path() / "hard" / "hard.json"));
     int checks = 0, caught = 0;
     for (const Json& one : hard.at("cases"))
