@@ -5,13 +5,37 @@
 #include <stdexcept>
 #include <string>
 
+#include "techniques/foundation/base/software.h"
 #include "techniques/foundation/gl/debug.h"
 
 namespace shadowlab::gl {
 
+namespace {
+
+/// llvmpipe frees the fence of what has been drawn into a framebuffer as soon as its last thread has counted itself in, and that thread then
+/// still wakes who waits, and unlocks: in freed memory, if the scheduler stops it just there (docs/systems.md). A sync object keeps the fence
+/// until a few more framebuffers have been drawn into.
+void keepFence() {
+    constexpr std::size_t kKept = 8; // framebuffers; llvmpipe is rarely two behind
+    static thread_local std::array<GLsync, kKept> kept{};
+    static thread_local std::size_t next = 0;
+    GLsync& oldest = kept[next++ % kKept];
+    if (glIsSync(oldest)) glDeleteSync(oldest); // else of a context that is gone
+    oldest = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
+void bindToDraw(GLuint framebuffer) {
+    GLint bound = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    if (static_cast<GLuint>(bound) != framebuffer && isSoftware(reinterpret_cast<const char*>(glGetString(GL_RENDERER)))) keepFence();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+}
+
+} // namespace
+
 Framebuffer::Framebuffer(const Texture2D* color, const Texture2D* depthStencil, std::string_view name)
     : handle_(FramebufferHandle::create()), size_(color ? color->size() : depthStencil->size()) {
-    glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
+    bindToDraw(handle_.id());
     if (color) {
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color->id(), 0);
     } else {
@@ -26,7 +50,7 @@ Framebuffer::Framebuffer(const Texture2D* color, const Texture2D* depthStencil, 
 Framebuffer::Framebuffer(const Texture2D& first, const Texture2D& second, const Texture2D& depthStencil,
                          std::string_view name)
     : handle_(FramebufferHandle::create()), size_(first.size()) {
-    glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
+    bindToDraw(handle_.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, first.id(), 0);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, second.id(), 0);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depthStencil.id(), 0);
@@ -37,7 +61,7 @@ Framebuffer::Framebuffer(const Texture2D& first, const Texture2D& second, const 
 
 Framebuffer::Framebuffer(const DepthTextureArray& depth, int layer, std::string_view name)
     : handle_(FramebufferHandle::create()), size_(depth.side()) {
-    glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
+    bindToDraw(handle_.id());
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth.id(), 0, layer);
     glDrawBuffer(GL_NONE);
     glReadBuffer(GL_NONE);
@@ -46,7 +70,7 @@ Framebuffer::Framebuffer(const DepthTextureArray& depth, int layer, std::string_
 
 Framebuffer::Framebuffer(const IdTextureArray& ids, const DepthTextureArray& depth, int layer, std::string_view name)
     : handle_(FramebufferHandle::create()), size_(ids.side()) {
-    glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
+    bindToDraw(handle_.id());
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, ids.id(), 0, layer);
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth.id(), 0, layer);
     requireComplete(name);
@@ -54,13 +78,13 @@ Framebuffer::Framebuffer(const IdTextureArray& ids, const DepthTextureArray& dep
 
 Framebuffer::Framebuffer(const ColorTextureArray& color, int layer, std::string_view name)
     : handle_(FramebufferHandle::create()), size_(color.side()) {
-    glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
+    bindToDraw(handle_.id());
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, color.id(), 0, layer);
     requireComplete(name);
 }
 
 void Framebuffer::bind() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
+    bindToDraw(handle_.id());
     glViewport(0, 0, size_.x, size_.y);
 }
 
