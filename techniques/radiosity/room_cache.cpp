@@ -103,7 +103,10 @@ bool RoomCache::advance(const scene::Snapshot& snapshot, const RadiosityParams& 
         requireMemory(*roomSnapshot_, room_->patches().size(), bytesPerPair(params.solver));
         if (!findFormFactors(params, deadline) || !advanceLights(deadline)) return false;
     } while (refineOnce());
-    if (!cells_) cells_ = surfaceCells(*roomSnapshot_, *room_);
+    if (!cells_) {
+        if (std::chrono::steady_clock::now() >= deadline) return false; // they may take a tenth of a second
+        cells_ = surfaceCells(*roomSnapshot_, *room_);
+    }
     return true;
 }
 

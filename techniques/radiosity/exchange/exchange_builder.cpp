@@ -8,10 +8,19 @@
 
 namespace shadowlab::radiosity {
 
+namespace {
+
+// A large patch may see a thousand others in part, and its row may take a third of a second, far more than a slice; so many of them take
+// some milliseconds.
+constexpr std::size_t kPatchesPerPiece = 32;
+
+} // namespace
+
 ExchangeBuilder::ExchangeBuilder(const Faces& faces, const std::vector<Patch>& patches, const Occlusion& occlusion,
                                  double linesPerPatch, std::optional<KnownExchange> known)
     : faces_(faces), patches_(patches), occlusion_(occlusion), linesPerPatch_(linesPerPatch), known_(known),
-      exchange_(patches.size()), rows_(patches.size()) {
+      exchange_(patches.size()), piecesPerRow_((patches.size() + kPatchesPerPiece - 1) / kPatchesPerPiece),
+      pieces_(patches.size() * piecesPerRow_) {
     for (std::size_t face = 0; face <= faces.all.size(); ++face)
         firstOfFace_.push_back(static_cast<std::size_t>(
             std::ranges::lower_bound(patches, face, {}, [](const Patch& p) { return std::size_t{p.face}; }) -
@@ -19,25 +28,30 @@ ExchangeBuilder::ExchangeBuilder(const Faces& faces, const std::vector<Patch>& p
 }
 
 bool ExchangeBuilder::advance(std::chrono::steady_clock::time_point deadline) {
-    next_ = trace::parallelUntil(deadline, next_, patches_.size(), [&](std::size_t i) { fill(i); });
-    return next_ == patches_.size();
+    next_ = trace::parallelUntil(deadline, next_, pieces_.size(), [&](std::size_t piece) { fill(piece); });
+    return next_ == pieces_.size();
 }
 
 double ExchangeBuilder::done() const {
-    if (patches_.empty()) return 1;
-    const double left = 1 - static_cast<double>(next_) / static_cast<double>(patches_.size());
+    if (pieces_.empty()) return 1;
+    const double left = 1 - static_cast<double>(next_) / static_cast<double>(pieces_.size());
     return 1 - left * left; // row i holds the pairs with later patches: rows get shorter
 }
 
-void ExchangeBuilder::fill(std::size_t i) {
+std::size_t ExchangeBuilder::pieceOf(std::size_t row, std::size_t patch) const { return row * piecesPerRow_ + patch / kPatchesPerPiece; }
+
+void ExchangeBuilder::fill(std::size_t pieceNumber) {
+    const std::size_t i = pieceNumber / piecesPerRow_, begin = pieceNumber % piecesPerRow_ * kPatchesPerPiece;
+    const std::size_t last = std::min(begin + kPatchesPerPiece, patches_.size());
+    Piece& piece = pieces_[pieceNumber];
     const Patch& patch = patches_[i];
     // Patches of one face lie in one plane and exchange nothing.
-    for (std::size_t face = patch.face + 1; face < faces_.all.size(); ++face) {
+    for (std::size_t first = std::max(begin, firstOfFace_[patch.face + 1]), end = 0; first < last; first = end) {
+        const std::uint32_t face = patches_[first].face;
+        end = std::min(firstOfFace_[face + 1], last);
         const Polygon& polygon = faces_.all[face].polygon;
-        const std::size_t first = firstOfFace_[face], end = firstOfFace_[face + 1];
-        if (first == end) continue; // all its patches were left out
         if (isBehind(patch.plane(), polygon, 0) || isBehind(patches_[first].plane(), patch.polygon, 0)) {
-            rows_[i].counts.ofKind[0] += end - first;
+            piece.counts.ofKind[0] += end - first;
             continue;
         }
         std::optional<Blockers> blockers; // needed only if a pair is new
@@ -48,10 +62,10 @@ void ExchangeBuilder::fill(std::size_t i) {
             const VisibleExchange exchange =
                 isKnown ? knownExchange(i, j)
                         : visibleExchange(patch, patches_[j], occlusion_, *blockers, linesPerPatch_);
-            ++rows_[i].counts.ofKind[static_cast<std::size_t>(exchange.kind)];
+            ++piece.counts.ofKind[static_cast<std::size_t>(exchange.kind)];
             if (exchange.area > 0) exchange_.set(i, j, exchange.area);
             if (exchange.kind == VisibleExchange::Kind::partial)
-                rows_[i].uncertain.push_back({static_cast<std::uint32_t>(j), static_cast<float>(exchange.error)});
+                piece.uncertain.push_back({static_cast<std::uint32_t>(j), static_cast<float>(exchange.error)});
         }
     }
 }
@@ -60,7 +74,8 @@ VisibleExchange ExchangeBuilder::knownExchange(std::size_t i, std::size_t j) con
     using Kind = VisibleExchange::Kind;
     const std::uint32_t row = known_->from[i],
                         patch = known_->from[j]; // their order has not changed, so i is still the row
-    const std::vector<Uncertain>& uncertain = known_->builder.rows_[row].uncertain;
+    const ExchangeBuilder& before = known_->builder;
+    const std::vector<Uncertain>& uncertain = before.pieces_[before.pieceOf(row, patch)].uncertain;
     const double area = known_->exchange(row, patch);
     const auto found = std::ranges::lower_bound(uncertain, patch, {}, &Uncertain::patch);
     if (found != uncertain.end() && found->patch == patch) return {Kind::partial, area, double{found->error}};
@@ -72,18 +87,18 @@ VisibleExchange ExchangeBuilder::knownExchange(std::size_t i, std::size_t j) con
 
 ExchangeCounts ExchangeBuilder::counts() const {
     ExchangeCounts sum;
-    for (const Row& row : rows_)
+    for (const Piece& piece : pieces_)
         for (std::size_t kind = 0; kind < sum.ofKind.size(); ++kind)
-            sum.ofKind[kind] += row.counts.ofKind[kind];
+            sum.ofKind[kind] += piece.counts.ofKind[kind];
     return sum;
 }
 
 std::vector<double> ExchangeBuilder::rowDeviations() const {
     std::vector<double> squares(patches_.size(), 0.0);
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-        for (const Uncertain& one : rows_[i].uncertain) {
+    for (std::size_t piece = 0; piece < pieces_.size(); ++piece)
+        for (const Uncertain& one : pieces_[piece].uncertain) {
             const double square = static_cast<double>(one.error) * static_cast<double>(one.error);
-            squares[i] += square;
+            squares[piece / piecesPerRow_] += square;
             squares[one.patch] += square;
         }
     for (std::size_t i = 0; i < squares.size(); ++i)

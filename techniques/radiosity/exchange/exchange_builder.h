@@ -1,4 +1,4 @@
-// Computes the exchange areas of all pairs of patches, row by row, in slices of time.
+// Computes the exchange areas of all pairs of patches, row by row and of each row some patches at a time, in slices of time.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -51,17 +51,18 @@ public:
     [[nodiscard]] std::vector<double> rowDeviations() const;
 
 private:
-    /// The error of one number of a row.
+    /// The error of one number of a piece.
     struct Uncertain {
         std::uint32_t patch;
         float error; ///< m^2
     };
-    /// The results of one row, stored apart so that sums do not depend on the order of threads.
-    struct Row {
+    /// What a patch exchanges with some others, stored apart so that sums do not depend on the order of threads.
+    struct Piece {
         ExchangeCounts counts;
         std::vector<Uncertain> uncertain; ///< in the order of patches
     };
-    void fill(std::size_t i);
+    void fill(std::size_t pieceNumber);
+    [[nodiscard]] std::size_t pieceOf(std::size_t row, std::size_t patch) const;
     [[nodiscard]] VisibleExchange knownExchange(std::size_t i, std::size_t j) const;
 
     const Faces& faces_;
@@ -71,8 +72,9 @@ private:
     std::optional<KnownExchange> known_;
     std::vector<std::size_t> firstOfFace_; ///< patch; one more than faces
     ExchangeMatrix exchange_;
-    std::vector<Row> rows_;
-    std::size_t next_ = 0; ///< row
+    std::size_t piecesPerRow_;
+    std::vector<Piece> pieces_;
+    std::size_t next_ = 0; ///< piece
 };
 
 } // namespace shadowlab::radiosity
