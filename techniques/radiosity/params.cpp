@@ -112,7 +112,7 @@ params::ParamList describe(RadiosityParams& p) {
                        params::choice({"gather", "Final gather"}, p.gather,
                                       {{"none", "between patches"}, {"shared", "some pixels for all"}, {"pixels", "of each pixel"}},
                                       "Who collects the light that patches send by rays of its own, for contact shadows and "
-                                      "corners: nobody, it is interpolated between patches; every sixteenth pixel, and for those that "
+                                      "corners: nobody, it is interpolated between patches; one pixel of 64, and for those that "
                                       "may not take that over others nearer to them; or each pixel, with noise that gets "
                                       "less while one looks on."))),
         onlyIf([&p, showsPixels] { return showsPixels() && p.gather != RadiosityParams::Gather::none; },

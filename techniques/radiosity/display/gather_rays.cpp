@@ -30,17 +30,32 @@ dvec2 shiftOf(ivec2 pixel) { return randomPair(pixelKey(pixel)); }
 
 /// The points of a sequence whose beginnings fill the unit square evenly, however long they are: multiples of the powers of 1 / p,
 /// where p^3 = p + 1 (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
-dvec2 pointOf(std::size_t number) {
-    constexpr double kPlastic = 1.3247179572447460;
-    return glm::fract((static_cast<double>(number) + 0.5) * dvec2(1 / kPlastic, 1 / (kPlastic * kPlastic)));
-}
+constexpr double kPlastic = 1.3247179572447460;
+const dvec2 kStep{1 / kPlastic, 1 / (kPlastic * kPlastic)};
+dvec2 pointOf(std::size_t number) { return glm::fract((static_cast<double>(number) + 0.5) * kStep); }
 
-/// A direction about the normal; those near it are more likely, by the cosine, so all directions count alike.
-dvec3 cosineDirection(const dvec3& normal, const dvec2& place) {
-    const double radius = std::sqrt(place.x), turn = glm::two_pi<double>() * place.y;
-    const dvec3 u = perpendicularTo(normal), v = glm::cross(normal, u);
-    return radius * (std::cos(turn) * u + std::sin(turn) * v) + std::sqrt(std::max(0.0, 1 - place.x)) * normal;
-}
+/// Directions about a normal, one for each point of the sequence from `first` on; those near the normal are more likely, by the
+/// cosine, so all count alike. One turns by the same angle from each to the next, so that sine and cosine are found once.
+class CosineDirections {
+public:
+    CosineDirections(const dvec3& normal, const dvec2& shift, std::size_t first)
+        : normal_(normal), u_(perpendicularTo(normal)), v_(glm::cross(normal, u_)), shift_(shift), next_(first) {
+        const double turn = glm::two_pi<double>() * (pointOf(first).y + shift.y);
+        toward_ = {std::cos(turn), std::sin(turn)};
+    }
+    dvec3 next() {
+        static const dvec2 step{std::cos(glm::two_pi<double>() * kStep.y), std::sin(glm::two_pi<double>() * kStep.y)};
+        const double square = glm::fract(pointOf(next_++).x + shift_.x), radius = std::sqrt(square);
+        const dvec3 direction = radius * (toward_.x * u_ + toward_.y * v_) + std::sqrt(1 - square) * normal_;
+        toward_ = {toward_.x * step.x - toward_.y * step.y, toward_.x * step.y + toward_.y * step.x};
+        return direction;
+    }
+
+private:
+    dvec3 normal_, u_, v_;
+    dvec2 shift_, toward_{1, 0}; ///< toward_: cosine and sine of the angle from u_
+    std::size_t next_;
+};
 
 /// The triangle's own normal, on the side from which the point was found.
 dvec3 geometricNormal(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
@@ -72,9 +87,12 @@ Sent radiosityAt(const GatherSolution& solution, const trace::SceneTracer& trace
     dvec3 irradiance = solution.reflectedIrradiance[*patch];
     for (int i = 0; i < static_cast<int>(tracer.scene().lights.size()); ++i) {
         const scene::Light& source = tracer.scene().light(i);
+        const DirectLight& light = solution.cache.light(i);
+        // Where all of the patch is lit, or nothing of it, no ray is needed.
+        const bool hasEdge = light.visible[*patch] > 0 && light.visible[*patch] < 1;
         if (scene::hasArea(source))
-            irradiance += solution.cache.light(i).irradiance[*patch];
-        else if (tracer.visibility(point, i) == trace::Visibility::lit)
+            irradiance += light.irradiance[*patch];
+        else if (hasEdge ? tracer.visibility(point, i) == trace::Visibility::lit : light.visible[*patch] > 0)
             irradiance += scene::irradiance(source, tracer.positionWorld(point), geometricNormal(tracer, point));
     }
     return {solution.sources.emission[*patch], solution.sources.reflectance[*patch] * irradiance, solution.emitters.density(*patch)};
@@ -117,21 +135,27 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
     const trace::SceneTracer& tracer = light.tracer();
     const dvec3 from = tracer.positionCentred(point), normal = light.normalWorld(point), flat = geometricNormal(tracer, point);
     const dvec2 shift = shiftOf(pixel);
+    CosineDirections directions(normal, shift, first);
     Gathered sum;
     for (std::size_t i = first; i < first + count; ++i) {
-        const dvec3 leaning = cosineDirection(normal, glm::fract(pointOf(i) + shift));
+        const dvec3 leaning = directions.next();
         // A smooth normal leans: what would go through the surface is turned back to its side. (Simplified: near the rim of a round
         // body some directions then count twice, and others not at all.)
         const dvec3 direction = leaning - 2 * std::min(0.0, glm::dot(leaning, flat)) * flat;
-        const trace::SurfacePoint met = tracer.nextPoint(point, direction);
+        const trace::SurfacePoint met = tracer.nextPoint(from, point.primitive, direction);
         // A surface that sends B all over the half sphere brings B.
         if (met) {
             const double distance = std::max(glm::distance(from, tracer.positionCentred(met)), kLeastDistance);
             sum.nearness += 1 / distance;
             ++sum.met;
             const Sent sent = radiosityAt(solution, tracer, met);
-            const double other = densityOfDirection(sent.density, distance, -glm::dot(direction, geometricNormal(tracer, met)));
-            sum.irradiance += sent.reflected + balanced(glm::dot(leaning, normal) / glm::pi<double>(), other) * sent.emitted;
+            sum.irradiance += sent.reflected;
+            if (sent.density > 0) { // rays are sent there on purpose as well
+                const double other = densityOfDirection(sent.density, distance, -glm::dot(direction, geometricNormal(tracer, met)));
+                sum.irradiance += balanced(glm::dot(leaning, normal) / glm::pi<double>(), other) * sent.emitted;
+            } else {
+                sum.irradiance += sent.emitted;
+            }
         } else {
             sum.irradiance += glm::pi<double>() * solution.outside;
         }

@@ -24,7 +24,7 @@ bool PixelPicture::advanceDirect(const scene::Snapshot& snapshot, const View& vi
     View ofBlocks = view;
     ofBlocks.size = (view.size + kFirstBlockSide - 1) / kFirstBlockSide;
     hasNewBlocks_ = false;
-    if (const bool isHurried = deadline != Deadline::max()) {
+    if (deadline != Deadline::max()) { // in a hurry
         if (!blocks_.advancePreview(snapshot, ofBlocks, deadline)) return false;
         hasNewBlocks_ = blocks_.version() != blocksVersion_;
         blocksVersion_ = blocks_.version();
