@@ -58,9 +58,8 @@ const char* const kFullscreenVertex = "void main() { gl_Position = vec4(4.0 * ve
 
 bool casts(const scene::Object& object) { return object.castsShadow && object.mesh->triangles.size() > 2; }
 
-/// Of the sphere around all casters, as the light sees it.
-dmat4 mapFromWorld(const scene::Scene& scene) {
-    const std::vector<scene::Bounds> boxes = scene::objectBounds(scene);
+/// Of the sphere around all casters, as the light sees it. `boxes`: of the objects.
+dmat4 mapFromWorld(const scene::Scene& scene, const std::vector<scene::Bounds>& boxes) {
     scene::Bounds bounds;
     for (std::size_t i = 0; i < boxes.size(); ++i)
         if (casts(scene.objects[i])) bounds.include(boxes[i]);
@@ -111,7 +110,7 @@ void Floors::draw(Floor floor, const scene::Snapshot& snapshot, const scene::Cam
     const bool hasVolumes = floor == Floor::passing || floor == Floor::failing;
     buffers_.update(snapshot);
     const gl::EyeMatrices eye = gl::eyeMatrices(camera, size_);
-    const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld, map = mapFromWorld(*snapshot);
+    const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld, map = mapFromWorld(*snapshot, buffers_.bounds());
     gl::setBaselineState();
     if (floor == Floor::map) drawMap(*snapshot, map);
     framebuffer_.bind();
