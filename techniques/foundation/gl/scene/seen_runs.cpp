@@ -30,7 +30,10 @@ bool isOrdinary(const scene::SeenSide& side) { return side == scene::SeenSide{};
 /// The sides of one triangle; ordinary ones where it is not among them.
 scene::SeenSides sidesOf(const std::vector<scene::SeenSides>& sides, std::uint32_t triangle) {
     const auto found = std::ranges::lower_bound(sides, triangle, {}, &scene::SeenSides::triangle);
-    return found != sides.end() && found->triangle == triangle ? *found : scene::SeenSides{.triangle = triangle};
+    if (found != sides.end() && found->triangle == triangle) return *found;
+    scene::SeenSides ordinary;
+    ordinary.triangle = triangle;
+    return ordinary;
 }
 
 } // namespace
