@@ -2,6 +2,7 @@
 #include "techniques/radiosity/display/shared_gather.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "techniques/foundation/trace/parallel.h"
@@ -31,6 +32,12 @@ constexpr double kLeastWeight = 1.0;
 
 // A record farther from the pixel's plane than this share of its range lies on another surface.
 constexpr double kOffThePlane = 0.05;
+
+// So far a pixel looks, along its row and its column, for surfaces that rise before its own: a lamp under a ceiling, a wall in a corner. Its
+// range is then about so many times the distance to them, whatever records around say that do not see them. What counts rises by more than
+// 30 degrees (the sine): the flutes of a column rise by less, and would let most of its pixels gather.
+constexpr int kLook = 2;
+constexpr double kRangeOfNear = 4, kRises = 0.5;
 
 // The range of a point whose rays meet nothing: farther than any scene reaches, metres.
 constexpr double kSeesNothing = 1e30;
@@ -93,7 +100,8 @@ std::size_t SharedGather::indexOf(ivec2 pixel) const {
 }
 
 int SharedGather::widestSpacing() const {
-    return std::clamp(std::min(key_.seenFrom.size.x, key_.seenFrom.size.y) / kLeastRows, 1, kWidestSpacing);
+    const int rows = std::min(key_.seenFrom.size.x, key_.seenFrom.size.y);
+    return static_cast<int>(std::bit_floor(static_cast<unsigned>(std::clamp(rows / kLeastRows, 1, kWidestSpacing)))); // halved, its places stay
 }
 
 bool SharedGather::advance(const GatherSolution& solution, const PixelLight& light, std::size_t rays, Deadline deadline) {
@@ -167,12 +175,29 @@ bool SharedGather::share(const PixelLight& light, Deadline deadline) {
     return true;
 }
 
+/// The range of the point that a pixel shows is not larger, as far as its neighbours tell, metres (J. Krivanek, K. Bouatouch, S. Pattanaik and
+/// J. Zara, "Making Radiance and Irradiance Caching Practical: Adaptive Caching and Neighbor Clamping", EGSR 2006).
+double SharedGather::mostRange(const PixelLight& light, ivec2 pixel, const dvec3& positionCentred, const dvec3& normal) const {
+    double least = kSeesNothing;
+    for (int step = -kLook; step <= kLook; ++step)
+        for (const ivec2 other : {pixel + ivec2(step, 0), pixel + ivec2(0, step)}) {
+            if (step == 0 || other != glm::clamp(other, ivec2(0), key_.seenFrom.size - 1)) continue;
+            const trace::SurfacePoint& point = light.pointAt(other);
+            if (!point || point.primitive == light.pointAt(pixel).primitive) continue;
+            const dvec3 way = light.tracer().positionCentred(point) - positionCentred;
+            const double square = glm::dot(way, way), height = glm::dot(way, normal);
+            if (height > 0 && height * height > kRises * kRises * square) least = std::min(least, square);
+        }
+    return least < kSeesNothing ? kRangeOfNear * std::sqrt(least) : kSeesNothing;
+}
+
 /// A plane through what pixels around have found, each by its weight: its value at this place. (A mean would be wrong wherever all of
 /// them lie to one side.) False: they know too little of this place.
 // [anchor: shared-gather]
 bool SharedGather::takeOver(const PixelLight& light, ivec2 pixel, dvec3& irradiance) const {
     const trace::SurfacePoint& point = light.pointAt(pixel);
     const dvec3 positionCentred = light.tracer().positionCentred(point), normal = light.normalWorld(point);
+    const double mostRange = this->mostRange(light, pixel, positionCentred, normal);
     const ivec2 last = (key_.seenFrom.size - 1) / spacing_;
     const ivec2 from = glm::max(pixel / spacing_ - kReach, 0), to = glm::min((pixel + spacing_ - 1) / spacing_ + kReach, last);
     PlaneFit fit;
@@ -185,8 +210,9 @@ bool SharedGather::takeOver(const PixelLight& light, ivec2 pixel, dvec3& irradia
             if (number == kNone || tent.x * tent.y == 0) continue;
             const Record& record = records_[static_cast<std::size_t>(number)];
             const dvec3 way = record.positionCentred - positionCentred;
-            if (std::abs(glm::dot(way, normal)) > kOffThePlane * record.range) continue;
-            const double error = glm::length(way) / record.range + std::sqrt(std::max(0.0, 1 - glm::dot(normal, record.normal)));
+            const double range = std::min(record.range, mostRange);
+            if (std::abs(glm::dot(way, normal)) > kOffThePlane * range) continue;
+            const double error = glm::length(way) / range + std::sqrt(std::max(0.0, 1 - glm::dot(normal, record.normal)));
             fit.add(offset, record.irradiance, tent.x * tent.y * std::max(0.0, 1 - error / kMostError));
         }
     irradiance = fit.atMiddle();

@@ -7,7 +7,7 @@
 // no pixel around has anything good enough, as in corners and on leaves, a pixel gathers by itself.
 // So pixels of a lattice gather, and others take over; of those that may not, such as are on a lattice half as wide, and so on down to
 // single pixels. Of each narrower lattice every other place gathers first, like the black squares of a chessboard, since places between
-// them can often take over.
+// them can often take over. What is close to a pixel and unknown to the records around it, its neighbours in the picture show.
 // Simplified: points stand in a lattice of pixels, not where the error asks for them; gradients come from a plane through several.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -43,6 +43,7 @@ private:
     void chooseGathering();
     [[nodiscard]] Record recordAt(const GatherSolution& solution, const PixelLight& light, ivec2 pixel) const;
     bool share(const PixelLight& light, Deadline deadline);
+    [[nodiscard]] double mostRange(const PixelLight& light, ivec2 pixel, const dvec3& positionCentred, const dvec3& normal) const;
     [[nodiscard]] bool takeOver(const PixelLight& light, ivec2 pixel, dvec3& irradiance) const;
     [[nodiscard]] std::size_t indexOf(ivec2 pixel) const;
     [[nodiscard]] int widestSpacing() const;
