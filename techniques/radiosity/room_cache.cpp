@@ -132,6 +132,7 @@ bool RoomCache::refineOnce() {
             found.push_back(*light);
             found.back().irradiance.resize(count);
             found.back().visible.resize(count);
+            found.back().mayHaveEdge.resize(count);
             found.back().seenArea.resize(count);
         }
         const std::vector<Refinement> refinements = patchesToRefine(

@@ -74,6 +74,12 @@ std::optional<std::uint32_t> patchOf(const SurfaceCells& cells, const trace::Sce
     return patchAt(cells, point.primitive, point.eyeOnFront, vec3(positionMesh));
 }
 
+/// Does a light without an area arrive there? Where nothing stands before the patch, or something hides all of it, no ray is needed.
+bool isLit(const trace::SceneTracer& tracer, const trace::SurfacePoint& point, int number, const DirectLight& light, std::size_t patch) {
+    if (light.mayHaveEdge[patch] != 0) return tracer.visibility(point, number) == trace::Visibility::lit;
+    return light.visible[patch] > 0 && scene::lightShinesTo(tracer.scene().light(number), tracer.positionWorld(point));
+}
+
 /// What the surface there sends, W/m^2.
 struct Sent {
     dvec3 emitted{0.0}, reflected{0.0};
@@ -88,11 +94,9 @@ Sent radiosityAt(const GatherSolution& solution, const trace::SceneTracer& trace
     for (int i = 0; i < static_cast<int>(tracer.scene().lights.size()); ++i) {
         const scene::Light& source = tracer.scene().light(i);
         const DirectLight& light = solution.cache.light(i);
-        // Where all of the patch is lit, or nothing of it, no ray is needed.
-        const bool hasEdge = light.visible[*patch] > 0 && light.visible[*patch] < 1;
         if (scene::hasArea(source))
             irradiance += light.irradiance[*patch];
-        else if (hasEdge ? tracer.visibility(point, i) == trace::Visibility::lit : light.visible[*patch] > 0)
+        else if (isLit(tracer, point, i, light, *patch))
             irradiance += scene::irradiance(source, tracer.positionWorld(point), geometricNormal(tracer, point));
     }
     return {solution.sources.emission[*patch], solution.sources.reflectance[*patch] * irradiance, solution.emitters.density(*patch)};

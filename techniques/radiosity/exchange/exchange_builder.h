@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <optional>
 #include <span>
@@ -56,12 +57,7 @@ private:
         std::uint32_t patch;
         float error; ///< m^2
     };
-    /// What a patch exchanges with some others, stored apart so that sums do not depend on the order of threads.
-    struct Piece {
-        ExchangeCounts counts;
-        std::vector<Uncertain> uncertain; ///< in the order of patches
-    };
-    void fill(std::size_t pieceNumber);
+    void fill(std::size_t piece);
     [[nodiscard]] std::size_t pieceOf(std::size_t row, std::size_t patch) const;
     [[nodiscard]] VisibleExchange knownExchange(std::size_t i, std::size_t j) const;
 
@@ -73,8 +69,10 @@ private:
     std::vector<std::size_t> firstOfFace_; ///< patch; one more than faces
     ExchangeMatrix exchange_;
     std::size_t piecesPerRow_;
-    std::vector<Piece> pieces_;
-    std::size_t next_ = 0; ///< piece
+    /// Of each piece of a row, in the order of patches. Apart, so that sums of them do not depend on the order of threads.
+    std::vector<std::vector<Uncertain>> uncertain_;
+    std::array<std::atomic<std::size_t>, 4> counts_{}; ///< of each VisibleExchange::Kind
+    std::size_t next_ = 0;                             ///< piece
 };
 
 } // namespace shadowlab::radiosity

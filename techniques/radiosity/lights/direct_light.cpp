@@ -34,6 +34,7 @@ DirectLightBuilder::DirectLightBuilder(LightSource source, const std::vector<Pat
     : source_(std::move(source)), patches_(patches), occlusion_(occlusion), receivesShadow_(std::move(receivesShadow)) {
     light_.irradiance.resize(patches.size(), dvec3(0.0));
     light_.visible.resize(patches.size(), 0.0);
+    light_.mayHaveEdge.resize(patches.size(), 0);
     light_.seenArea.resize(patches.size(), 0.0);
 }
 
@@ -53,6 +54,7 @@ void DirectLightBuilder::fill(std::size_t i) {
     if (!(whole > 0)) return;
     const Blockers blockers = receivesShadow_[i] ? source_.blockers(patch.polygon, occlusion_) : Blockers{};
     if (!blockers.empty() && source_.isHidden(patch.polygon, occlusion_, blockers)) return;
+    light_.mayHaveEdge[i] = blockers.empty() ? 0 : 1;
     sampleLines(i, blockers);
     if (blockers.empty()) light_.visible[i] = 1; // no sampling needed
     light_.irradiance[i] = light_.visible[i] * whole * source_.color();

@@ -17,6 +17,8 @@ struct DirectLight {
     /// 0..1: the share of the unoccluded light that arrives; 0 where none would. Where it is neither 0 nor 1 it is estimated by
     /// 64 lines: with random lines its standard deviation would be up to 1/16; with these Hammersley points it is half of that.
     std::vector<double> visible;
+    /// 1: something may stand before a part of the patch, also where all 64 lines arrive or none does; 0: all points of it have the same answer.
+    std::vector<std::uint8_t> mayHaveEdge;
     /// 0..1: the mean share of the light's area that is seen; what lies behind the patch's plane is not.
     std::vector<double> seenArea;
 };
