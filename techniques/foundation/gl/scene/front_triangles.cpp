@@ -50,11 +50,12 @@ std::vector<std::uint32_t> frontTriangles(const scene::Mesh& mesh, const dvec4& 
 }
 
 FrontTriangles::FrontTriangles(const scene::Mesh& mesh, const MeshBuffers& buffers, const dvec4& viewerMesh)
-    : viewerMesh_(viewerMesh), list_(frontTriangles(mesh, viewerMesh)), triangles_(mesh, buffers, list_) {}
+    : viewerMesh_(viewerMesh), triangles_(mesh, buffers, frontTriangles(mesh, viewerMesh)) {}
 
 FrontTriangles::Run FrontTriangles::listed(std::uint32_t first, std::uint32_t count) const {
-    const auto begin = std::ranges::lower_bound(list_, first), end = std::ranges::lower_bound(list_, first + count);
-    return {static_cast<std::uint32_t>(begin - list_.begin()), static_cast<std::uint32_t>(end - begin)};
+    const std::vector<std::uint32_t>& list = triangles_.order();
+    const auto begin = std::ranges::lower_bound(list, first), end = std::ranges::lower_bound(list, first + count);
+    return {static_cast<std::uint32_t>(begin - list.begin()), static_cast<std::uint32_t>(end - begin)};
 }
 
 void FrontTriangles::draw(std::uint32_t first, std::uint32_t count) const {
@@ -65,6 +66,11 @@ void FrontTriangles::draw(std::uint32_t first, std::uint32_t count) const {
 void FrontTriangles::drawNumbered(std::uint32_t first, std::uint32_t count) const {
     const Run run = listed(first, count);
     triangles_.drawNumbered(run.first, run.count);
+}
+
+void FrontTriangles::drawPositions(std::uint32_t first, std::uint32_t count) const {
+    const Run run = listed(first, count);
+    triangles_.drawPositions(run.first, run.count);
 }
 
 } // namespace shadowlab::gl

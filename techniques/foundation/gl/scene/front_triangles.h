@@ -34,6 +34,8 @@ public:
     void draw(std::uint32_t first, std::uint32_t count) const;
     /// As MeshBuffers::drawNumbered.
     void drawNumbered(std::uint32_t first, std::uint32_t count) const;
+    /// As MeshBuffers::drawPositions.
+    void drawPositions(std::uint32_t first, std::uint32_t count) const;
 
 private:
     /// Counted in the list.
@@ -43,8 +45,7 @@ private:
     [[nodiscard]] Run listed(std::uint32_t first, std::uint32_t count) const;
 
     dvec4 viewerMesh_;
-    std::vector<std::uint32_t> list_; ///< ascending
-    OrderedTriangles triangles_;
+    OrderedTriangles triangles_; ///< in ascending order
 };
 
 } // namespace shadowlab::gl

@@ -4,6 +4,8 @@
 #include <span>
 #include <utility>
 
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
+
 namespace shadowlab::gl {
 
 namespace {
@@ -43,6 +45,12 @@ BufferHandle uploadWithCopies(std::vector<T> values, std::span<const std::uint32
     return uploadBuffer(GL_ARRAY_BUFFER, values);
 }
 
+void bind(const BufferHandle& buffer, GLuint attribute, GLint floats) {
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
+    glEnableVertexAttribArray(attribute);
+    glVertexAttribPointer(attribute, floats, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
 void drawTriangles(const VertexArrayHandle& array, std::uint32_t first, std::uint32_t count) {
     glBindVertexArray(array.id());
     const auto offset = static_cast<std::uintptr_t>(first) * sizeof(uvec3);
@@ -54,7 +62,8 @@ void drawTriangles(const VertexArrayHandle& array, std::uint32_t first, std::uin
 } // namespace
 
 MeshBuffers::MeshBuffers(const scene::Mesh& mesh)
-    : vertexArray_(VertexArrayHandle::create()), numberedArray_(VertexArrayHandle::create()) {
+    : weldedTriangles_(scene::weldedTriangles(mesh)), vertexArray_(VertexArrayHandle::create()),
+      numberedArray_(VertexArrayHandle::create()), positionArray_(VertexArrayHandle::create()) {
     NumberedTriangles withNumbers = numbered(mesh);
     positions_ = uploadWithCopies(mesh.positionsMesh, withNumbers.copied);
     normals_ = uploadWithCopies(mesh.normalsMesh, withNumbers.copied);
@@ -68,17 +77,17 @@ MeshBuffers::MeshBuffers(const scene::Mesh& mesh)
     bindAttributes(mesh);
     bindNumbers();
     numberedIndices_ = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, withNumbers.triangles);
+    glBindVertexArray(positionArray_.id());
+    bindPositions();
+    weldedIndices_ = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, weldedTriangles_);
     glBindVertexArray(0);
     numberedTriangles_ = std::move(withNumbers.triangles);
 }
 
+void MeshBuffers::bindPositions() const { bind(positions_, kPositionMesh, 3); }
+
 void MeshBuffers::bindAttributes(const scene::Mesh& mesh) const {
-    const auto bind = [](const BufferHandle& buffer, GLuint attribute, GLint floats) {
-        glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
-        glEnableVertexAttribArray(attribute);
-        glVertexAttribPointer(attribute, floats, GL_FLOAT, GL_FALSE, 0, nullptr);
-    };
-    bind(positions_, kPositionMesh, 3);
+    bindPositions();
     bind(normals_, kNormalMesh, 3);
     if (!mesh.texcoords.empty()) bind(texcoords_, kTexcoordMesh, 2);
     if (!mesh.colors.empty()) bind(colors_, kColorMesh, 3);
@@ -98,27 +107,41 @@ void MeshBuffers::drawNumbered(std::uint32_t firstTriangle, std::uint32_t triang
     drawTriangles(numberedArray_, firstTriangle, triangleCount);
 }
 
-OrderedTriangles::OrderedTriangles(const scene::Mesh& mesh, const MeshBuffers& buffers, const std::vector<std::uint32_t>& order)
-    : vertexArray_(VertexArrayHandle::create()), numberedArray_(VertexArrayHandle::create()) {
-    const auto ordered = [&](const std::vector<uvec3>& triangles) {
-        std::vector<uvec3> result;
-        result.reserve(order.size());
-        for (const std::uint32_t triangle : order)
-            result.push_back(triangles[triangle]);
-        return result;
-    };
-    glBindVertexArray(vertexArray_.id());
-    buffers.bindAttributes(mesh);
-    indices_ = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, ordered(mesh.triangles));
-    glBindVertexArray(numberedArray_.id());
-    buffers.bindAttributes(mesh);
-    buffers.bindNumbers();
-    numberedIndices_ = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, ordered(buffers.numberedTriangles_));
-    glBindVertexArray(0);
+void MeshBuffers::drawPositions(std::uint32_t firstTriangle, std::uint32_t triangleCount) const {
+    drawTriangles(positionArray_, firstTriangle, triangleCount);
 }
 
-void OrderedTriangles::draw(std::uint32_t first, std::uint32_t count) const { drawTriangles(vertexArray_, first, count); }
+template <typename Bind>
+OrderedTriangles::Uploaded OrderedTriangles::upload(const std::vector<uvec3>& triangles, const Bind& bind) const {
+    std::vector<uvec3> ordered;
+    ordered.reserve(order_.size());
+    for (const std::uint32_t triangle : order_)
+        ordered.push_back(triangles[triangle]);
+    Uploaded uploaded{VertexArrayHandle::create(), {}};
+    glBindVertexArray(uploaded.array.id());
+    bind();
+    uploaded.indices = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, ordered);
+    glBindVertexArray(0);
+    return uploaded;
+}
 
-void OrderedTriangles::drawNumbered(std::uint32_t first, std::uint32_t count) const { drawTriangles(numberedArray_, first, count); }
+void OrderedTriangles::draw(std::uint32_t first, std::uint32_t count) const {
+    if (!plain_) plain_ = upload(mesh_->triangles, [&] { buffers_->bindAttributes(*mesh_); });
+    drawTriangles(plain_->array, first, count);
+}
+
+void OrderedTriangles::drawNumbered(std::uint32_t first, std::uint32_t count) const {
+    const auto bindAll = [&] {
+        buffers_->bindAttributes(*mesh_);
+        buffers_->bindNumbers();
+    };
+    if (!numbered_) numbered_ = upload(buffers_->numberedTriangles_, bindAll);
+    drawTriangles(numbered_->array, first, count);
+}
+
+void OrderedTriangles::drawPositions(std::uint32_t first, std::uint32_t count) const {
+    if (!positions_) positions_ = upload(buffers_->weldedTriangles_, [&] { buffers_->bindPositions(); });
+    drawTriangles(positions_->array, first, count);
+}
 
 } // namespace shadowlab::gl

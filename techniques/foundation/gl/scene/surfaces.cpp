@@ -22,11 +22,15 @@ void setObject(const Program& program, const EyeMatrices& eye, const scene::Obje
     program.set("receivesShadow", object.receivesShadow ? 1 : 0);
 }
 
+/// What a program asks of a vertex, but for the number of its triangle.
+enum class Reads { attributes, positions };
+
 /// A run of triangles of an object, `triangles`: in the mesh's own order or in another one.
 template <typename Triangles>
-void drawRun(const Program& program, const SceneBuffers& buffers, std::size_t index, const Triangles& triangles, std::uint32_t first,
-             std::uint32_t count) {
-    if (!program.reads("triangleBase")) return triangles.draw(first, count);
+void drawRun(const Program& program, Reads reads, const SceneBuffers& buffers, std::size_t index, const Triangles& triangles,
+             std::uint32_t first, std::uint32_t count) {
+    if (!program.reads("triangleBase"))
+        return reads == Reads::positions ? triangles.drawPositions(first, count) : triangles.draw(first, count);
     program.set("triangleBase", buffers.triangleBase(index));
     triangles.drawNumbered(first, count);
 }
@@ -34,11 +38,11 @@ void drawRun(const Program& program, const SceneBuffers& buffers, std::size_t in
 /// The same of the mesh's own order; where backs are culled, by the state, those of a large mesh are not even drawn. `clipFromMesh()` is asked
 /// for these meshes alone.
 template <typename ClipFromMesh>
-void drawSides(const Program& program, const SceneBuffers& buffers, std::size_t index, std::uint32_t first, std::uint32_t count,
-               const ClipFromMesh& clipFromMesh) {
+void drawSides(const Program& program, Reads reads, const SceneBuffers& buffers, std::size_t index, std::uint32_t first,
+               std::uint32_t count, const ClipFromMesh& clipFromMesh) {
     if (buffers.listsFronts(index) && glIsEnabled(GL_CULL_FACE))
-        return drawRun(program, buffers, index, buffers.fronts(index, viewerMesh(clipFromMesh())), first, count);
-    drawRun(program, buffers, index, buffers.mesh(index), first, count);
+        return drawRun(program, reads, buffers, index, buffers.fronts(index, viewerMesh(clipFromMesh())), first, count);
+    drawRun(program, reads, buffers, index, buffers.mesh(index), first, count);
 }
 
 SeenObject seenObject(const scene::Object& object, const SeenRuns& runs, const scene::Bounds& box, const EyeMatrices& eye) {
@@ -55,10 +59,11 @@ void drawSeen(const Program& program, const scene::Scene& scene, const SceneBuff
     const scene::MeshPart& run = scene.objects[index].mesh->parts[part];
     const SeenRuns* runs = buffers.seenRuns(index);
     if (!runs)
-        return drawSides(program, buffers, index, run.firstTriangle, run.triangleCount, [&] { return eye.clipFromMesh(scene.objects[index]); });
+        return drawSides(program, Reads::attributes, buffers, index, run.firstTriangle, run.triangleCount,
+                         [&] { return eye.clipFromMesh(scene.objects[index]); });
     drawInLayers(runs->ofPart[part], seenObject(scene.objects[index], *runs, buffers.bounds()[index], eye),
                  [&](std::uint32_t first, std::uint32_t count) {
-                     drawRun(program, buffers, index, *runs->triangles, first, count);
+                     drawRun(program, Reads::attributes, buffers, index, *runs->triangles, first, count);
                  });
 }
 
@@ -188,9 +193,10 @@ void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuf
     program.use();
     program.set("clipFromMesh", mat4(clipFromMesh));
     if (!buffers.hasHoles(object))
-        return drawSides(program, buffers, object, 0, static_cast<std::uint32_t>(mesh.triangles.size()), [&] { return clipFromMesh; });
+        return drawSides(program, Reads::positions, buffers, object, 0, static_cast<std::uint32_t>(mesh.triangles.size()),
+                         [&] { return clipFromMesh; });
     for (std::size_t part = 0; part < mesh.parts.size(); ++part)
-        drawRun(useForDepth(program, scene, buffers, object, part, clipFromMesh), buffers, object, buffers.mesh(object),
+        drawRun(useForDepth(program, scene, buffers, object, part, clipFromMesh), Reads::attributes, buffers, object, buffers.mesh(object),
                 mesh.parts[part].firstTriangle, mesh.parts[part].triangleCount);
 }
 

@@ -8,6 +8,7 @@
 #include "techniques/foundation/scene/obj/obj_mesh.h"
 #include "techniques/foundation/scene/obj/vertex_welder.h"
 #include "techniques/foundation/scene/query/topology/outward_parts.h"
+#include "techniques/foundation/scene/query/topology/triangle_order.h"
 
 namespace shadowlab::scene {
 
@@ -82,7 +83,9 @@ GltfMesh gltfMesh(const GltfParts& parts, std::size_t index, const std::vector<G
     mesh.normalsMesh = welder.of(&Vertex::normal);
     if (hasTexcoords) mesh.texcoords = welder.of(&Vertex::texcoord);
     if (hasColors) mesh.colors = welder.of(&Vertex::color);
-    result.mesh = sharedMesh(mode == NormalMode::file ? std::move(mesh) : withNormals(mesh, mode));
+    if (mode != NormalMode::file) mesh = withNormals(mesh, mode);
+    keepNeighboursTogether(mesh);
+    result.mesh = sharedMesh(std::move(mesh));
     return result;
 }
 

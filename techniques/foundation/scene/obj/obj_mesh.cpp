@@ -13,6 +13,7 @@
 #include "techniques/foundation/scene/obj/polygon_triangulation.h"
 #include "techniques/foundation/scene/obj/smoothing_groups.h"
 #include "techniques/foundation/scene/obj/vertex_welder.h"
+#include "techniques/foundation/scene/query/topology/triangle_order.h"
 
 namespace shadowlab::scene {
 
@@ -251,9 +252,8 @@ GroupNormals groupNormals(const NormalSource& source, const ObjFaces& faces, std
     return smooth;
 }
 
-} // namespace
-
-std::vector<Mesh> buildMeshes(const ObjScan& scan, const ObjFaces& faces, NormalMode mode) {
+/// Triangles stand as in the file, but for the parts.
+std::vector<Mesh> inFileOrder(const ObjScan& scan, const ObjFaces& faces, NormalMode mode) {
     std::vector<CornerTriangle> triangles = split(scan, faces);
     const MeshPieces pieces = piecesFor(scan, faces, triangles);
     const NormalSource normals = normalSource(scan, pieces, mode, faces.materialOf.size());
@@ -269,6 +269,15 @@ std::vector<Mesh> buildMeshes(const ObjScan& scan, const ObjFaces& faces, Normal
         trianglesOf[pieces.pieceOf[i]].push_back(triangles[i]);
     for (std::size_t i = 0; i < trianglesOf.size(); ++i)
         meshes.push_back(buildPiece(scan, faces, std::move(trianglesOf[i]), pieces.origins[i], normals, smooth));
+    return meshes;
+}
+
+} // namespace
+
+std::vector<Mesh> buildMeshes(const ObjScan& scan, const ObjFaces& faces, NormalMode mode) {
+    std::vector<Mesh> meshes = inFileOrder(scan, faces, mode);
+    for (Mesh& mesh : meshes)
+        keepNeighboursTogether(mesh);
     return meshes;
 }
 

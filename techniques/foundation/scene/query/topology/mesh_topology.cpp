@@ -65,6 +65,15 @@ std::uint64_t components(const Mesh& mesh, const MeshTopology& topology) {
 
 } // namespace
 
+std::vector<uvec3> weldedTriangles(const Mesh& mesh) {
+    const std::vector<std::uint32_t> welded = weld(mesh.positionsMesh);
+    std::vector<uvec3> triangles;
+    triangles.reserve(mesh.triangles.size());
+    for (const uvec3& corners : mesh.triangles)
+        triangles.emplace_back(welded[corners.x], welded[corners.y], welded[corners.z]);
+    return triangles;
+}
+
 MeshTopology buildTopology(const Mesh& mesh) {
     MeshTopology topology;
     topology.welded = weld(mesh.positionsMesh);

@@ -29,6 +29,9 @@ struct MeshTopology {
 /// Welds vertices by exact position and collects every edge with all its triangles. O(n), but where very many edges meet in a vertex.
 MeshTopology buildTopology(const Mesh& mesh);
 
+/// The mesh's triangles, of the vertices that stand for theirs.
+std::vector<uvec3> weldedTriangles(const Mesh& mesh);
+
 /// What an edge says about the surface there.
 enum class EdgeKind {
     closed,       ///< two triangles, wound alike
