@@ -7,7 +7,6 @@
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/math/perpendicular.h"
-#include "techniques/foundation/math/random_pair.h"
 #include "techniques/foundation/scene/query/shading.h"
 
 namespace shadowlab::radiosity {
@@ -22,11 +21,6 @@ constexpr double kSamePlace = 1e-5;
 
 // The golden ratio less one: its multiples fill the unit interval evenly.
 constexpr double kGolden = 0.6180339887498949;
-
-/// A place of its own in the unit square for each pixel, by which the sequence of all pixels is shifted (R. Cranley and T. Patterson,
-/// "Randomization of Number Theoretic Methods for Multiple Integration", SIAM Journal on Numerical Analysis 13, 1976): else all pixels
-/// would make the same error, and one would see it as edges.
-dvec2 shiftOf(ivec2 pixel) { return randomPair(pixelKey(pixel)); }
 
 /// The points of a sequence whose beginnings fill the unit square evenly, however long they are: multiples of the powers of 1 / p,
 /// where p^3 = p + 1 (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
@@ -134,14 +128,14 @@ FromEmitter fromEmitter(const GatherSolution& solution, const trace::SceneTracer
 } // namespace
 
 // [anchor: final-gather]
-Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 pixel, std::size_t first, std::size_t count) {
+Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 pixel, const GatherRays& rays) {
     const trace::SurfacePoint& point = light.pointAt(pixel);
     const trace::SceneTracer& tracer = light.tracer();
     const dvec3 from = tracer.positionCentred(point), normal = light.normalWorld(point), flat = geometricNormal(tracer, point);
-    const dvec2 shift = shiftOf(pixel);
-    CosineDirections directions(normal, shift, first);
+    const dvec2& shift = rays.shift;
+    CosineDirections directions(normal, shift, rays.first);
     Gathered sum;
-    for (std::size_t i = first; i < first + count; ++i) {
+    for (std::size_t i = rays.first; i < rays.first + rays.count; ++i) {
         const dvec3 leaning = directions.next();
         // A smooth normal leans: what would go through the surface is turned back to its side. (Simplified: near the rim of a round
         // body some directions then count twice, and others not at all.)

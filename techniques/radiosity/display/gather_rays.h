@@ -46,7 +46,13 @@ struct Gathered {
     double fromEmitters = 0, nearnessOfEmitters = 0;
 };
 
-/// From what a pixel shows: rays `first` to `first + count - 1` of its sequence, and where patches emit as many to them. `light` must be complete.
-Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 pixel, std::size_t first, std::size_t count);
+/// Which rays of an endless sequence that fills the half sphere evenly. Sequences of another shift (in the unit square) are other ones.
+struct GatherRays {
+    dvec2 shift{0.0};
+    std::size_t first = 0, count = 0;
+};
+
+/// From what a pixel shows, along these rays, and where patches emit along as many to them. `light` must be complete.
+Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 pixel, const GatherRays& rays);
 
 } // namespace shadowlab::radiosity

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "techniques/foundation/math/random_pair.h"
 #include "techniques/foundation/trace/blocks.h"
 #include "techniques/foundation/trace/parallel.h"
 
@@ -11,6 +12,11 @@ namespace shadowlab::radiosity {
 namespace {
 
 constexpr int kBlockSide = 8; // pixels beside each other meet the same surfaces
+
+/// A place of its own in the unit square for each pixel, by which the sequence of rays is shifted (R. Cranley and T. Patterson,
+/// "Randomization of Number Theoretic Methods for Multiple Integration", SIAM Journal on Numerical Analysis 13, 1976): else all pixels
+/// would make the same error, and one would see it as edges.
+dvec2 shiftOf(ivec2 pixel) { return randomPair(pixelKey(pixel)); }
 
 } // namespace
 
@@ -38,7 +44,7 @@ void PixelGather::gatherBlock(const GatherSolution& solution, const PixelLight& 
         for (int x = corner.x; x < end.x; ++x)
             if (light.pointAt({x, y}))
                 sums_[static_cast<std::size_t>(y) * static_cast<std::size_t>(light.size().x) + static_cast<std::size_t>(x)] +=
-                    gather(solution, light, {x, y}, done_, 1).irradiance;
+                    gather(solution, light, {x, y}, {shiftOf({x, y}), done_, 1}).irradiance;
 }
 
 std::vector<vec4> PixelGather::irradianceFromBelow() const {

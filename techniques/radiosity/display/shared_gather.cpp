@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "techniques/foundation/math/random_pair.h"
 #include "techniques/foundation/trace/parallel.h"
 
 namespace shadowlab::radiosity {
@@ -24,8 +25,13 @@ constexpr std::int32_t kNone = -1;
 // one record alone; a plane through several lies much nearer. With 0.25 a fifth more rays were sent, and pictures were no better.
 constexpr double kMostError = 0.35;
 
-// Records of the lattice that a pixel looks at: so many before and behind, across and along.
-constexpr int kReach = 2;
+// Records of the lattice that a pixel looks at: so many before and behind, across and along. Where all pixels may gather, along few rays, more.
+constexpr int kReach = 2, kReachOfPixels = 4;
+
+// Ward's error of a record that is so many steps of the widest lattice away need not be larger than 1: closer to a corner than that, pixels
+// would share nothing, and one would see the noise of each (the least radius of G. Ward and P. Heckbert, "Irradiance Gradients", Eurographics
+// Workshop on Rendering 1992). In small pictures, where all pixels gather along all rays, it is two pixels, and nothing is shared.
+constexpr double kLeastRangeSteps = 2;
 
 // Less weight than that of one record without error, and a pixel takes nothing over.
 constexpr double kLeastWeight = 1.0;
@@ -54,6 +60,17 @@ auto inPieces(std::size_t count, const auto& work) {
     };
 }
 
+/// The rays of a place of the lattice. Those of a tile of 8 x 8 places follow one another in one sequence, along Morton's curve (1966), so that
+/// the rays of some neighbours together fill the half sphere as evenly as those of one, and a plane through what they found has little
+/// noise. Tiles have sequences of their own: else edges of light would show them.
+GatherRays raysOf(ivec2 place, std::size_t count) {
+    constexpr int kTile = 8;
+    std::size_t number = 0; // in the tile
+    for (int bit = 0; 1 << bit < kTile; ++bit)
+        number |= static_cast<std::size_t>((place.x >> bit & 1) | (place.y >> bit & 1) << 1) << 2 * bit;
+    return {randomPair(pixelKey(place / kTile)), number * count, count};
+}
+
 /// R, metres: what emitters bring, as much as it is of all, changes with the distance to them.
 double rangeOf(const Gathered& sum) {
     const double all = std::max(luminance(sum.irradiance), 1e-300);
@@ -75,7 +92,14 @@ public:
         alongX_ += weight * offset.x * value;
         alongY_ += weight * offset.y * value;
     }
-    [[nodiscard]] double weight() const { return weight_; }
+    /// The weight of as many values at the middle itself as would know it as exactly. Where all lie to one side it is small: there a plane
+    /// goes on beyond them.
+    [[nodiscard]] double weightAtMiddle() const {
+        const double xx = xx_ + kLevel * weight_, yy = yy_ + kLevel * weight_;
+        const double area = xx * yy - xy_ * xy_;
+        if (!(area > 0)) return weight_;
+        return weight_ - (yy * offsets_.x * offsets_.x - 2 * xy_ * offsets_.x * offsets_.y + xx * offsets_.y * offsets_.y) / area;
+    }
     /// v, not below 0. Where all lie on a line, the slope across it is taken to be 0.
     [[nodiscard]] dvec3 atMiddle() const {
         if (!(weight_ > 0)) return dvec3(0);
@@ -155,7 +179,7 @@ SharedGather::Record SharedGather::recordAt(const GatherSolution& solution, cons
     const auto shares = static_cast<std::size_t>(std::min(spacing_, full)), of = static_cast<std::size_t>(full);
     const std::size_t count = (key_.rays * shares + of - 1) / of;
     const trace::SurfacePoint& point = light.pointAt(pixel);
-    const Gathered sum = gather(solution, light, pixel, 0, count);
+    const Gathered sum = gather(solution, light, pixel, raysOf(pixel / spacing_, count));
     return {light.tracer().positionCentred(point), light.normalWorld(point), sum.irradiance / static_cast<double>(count), rangeOf(sum)};
 }
 
@@ -199,24 +223,27 @@ bool SharedGather::takeOver(const PixelLight& light, ivec2 pixel, dvec3& irradia
     const dvec3 positionCentred = light.tracer().positionCentred(point), normal = light.normalWorld(point);
     const double mostRange = this->mostRange(light, pixel, positionCentred, normal);
     const ivec2 last = (key_.seenFrom.size - 1) / spacing_;
-    const ivec2 from = glm::max(pixel / spacing_ - kReach, 0), to = glm::min((pixel + spacing_ - 1) / spacing_ + kReach, last);
+    const double leastRange = kLeastRangeSteps * widestSpacing(); // pixels
+    const int reach = spacing_ == 1 ? kReachOfPixels : kReach;
+    const ivec2 from = glm::max(pixel / spacing_ - reach, 0), to = glm::min((pixel + spacing_ - 1) / spacing_ + reach, last);
     PlaneFit fit;
     for (int y = from.y; y <= to.y; ++y)
         for (int x = from.x; x <= to.x; ++x) {
             const ivec2 giver = spacing_ * ivec2(x, y);
             const std::int32_t number = recordOf_[indexOf(giver)];
             const dvec2 offset = dvec2(giver - pixel) / static_cast<double>(spacing_);
-            const dvec2 tent = glm::max(dvec2(0), 1.0 - glm::abs(offset) / (kReach + 0.5));
+            const dvec2 tent = glm::max(dvec2(0), 1.0 - glm::abs(offset) / (reach + 0.5));
             if (number == kNone || tent.x * tent.y == 0) continue;
             const Record& record = records_[static_cast<std::size_t>(number)];
             const dvec3 way = record.positionCentred - positionCentred;
             const double range = std::min(record.range, mostRange);
             if (std::abs(glm::dot(way, normal)) > kOffThePlane * range) continue;
-            const double error = glm::length(way) / range + std::sqrt(std::max(0.0, 1 - glm::dot(normal, record.normal)));
+            const double distance = std::min(glm::length(way) / range, glm::length(dvec2(giver - pixel)) / leastRange);
+            const double error = distance + std::sqrt(std::max(0.0, 1 - glm::dot(normal, record.normal)));
             fit.add(offset, record.irradiance, tent.x * tent.y * std::max(0.0, 1 - error / kMostError));
         }
     irradiance = fit.atMiddle();
-    return fit.weight() >= kLeastWeight || recordOf_[indexOf(pixel)] != kNone;
+    return fit.weightAtMiddle() >= kLeastWeight || recordOf_[indexOf(pixel)] != kNone;
 }
 
 } // namespace shadowlab::radiosity
