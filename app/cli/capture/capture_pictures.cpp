@@ -88,7 +88,7 @@ private:
         for (const std::string& remark : base_->notes)
             note(remark);
         if (base_->lights.empty())
-            note("scene '" + base_->name + "' has no lights; only its ambient light and what glows is seen");
+            note("scene '" + base_->name + "' has no lights: no shadow is drawn, and what lights it is ambient light, its background or what glows");
         if (base_->objects.empty()) note("scene '" + base_->name + "' has no objects; only its background is seen");
         for (const std::string& remark : lab::settingsWithoutEffect(slots_))
             note(remark);

@@ -2,7 +2,12 @@
 #include "techniques/radiosity/lights/lamp_cover.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
+#include <glm/gtc/constants.hpp>
+
+#include "techniques/radiosity/lights/light_source.h"
 #include "techniques/radiosity/patches/contacts.h"
 
 namespace shadowlab::radiosity {
@@ -44,6 +49,27 @@ double coveredByLamps(const Patch& patch, std::span<const scene::Light> lights, 
         if (const Polygon part = partBehind(lamp, normal, patch.polygon); !part.isEmpty()) covered += glm::length(areaVector(part));
     }
     return std::min(covered / patch.area, 1.0);
+}
+
+double caughtByLamps(std::span<const Patch> patches, std::span<const dvec3> radiosity, std::span<const scene::Light> lights,
+                     const dvec3& originWorld) {
+    std::vector<LightSource> lamps;
+    for (scene::Light lamp : lights) {
+        if (!scene::hasArea(lamp)) continue;
+        lamp.intensity = 1 / glm::pi<double>(); // so that the irradiance by it is the form factor
+        lamps.emplace_back(lamp, originWorld, Faces{});
+        if (lamp.type != scene::LightType::rect) continue;
+        std::swap(lamp.edgeUWorld, lamp.edgeVWorld); // its back
+        lamps.emplace_back(lamp, originWorld, Faces{});
+    }
+    double sent = 0, caught = 0;
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        const double ofPatch = patches[i].area * luminance(radiosity[i]);
+        sent += ofPatch;
+        for (const LightSource& lamp : lamps)
+            caught += ofPatch * lamp.irradiance(patches[i].centre, patches[i].normal);
+    }
+    return sent > 0 ? std::min(caught / sent, 1.0) : 0;
 }
 
 } // namespace shadowlab::radiosity

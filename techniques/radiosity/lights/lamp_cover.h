@@ -1,4 +1,4 @@
-// What rect lamps cover: the part of a ceiling that a lamp lies in, or hangs close before.
+// What lamps cover: the part of a ceiling that a rect lies in, or hangs close before; and how much light would meet lamps on its way.
 //
 // Lamps are no patches, so that they may move without a new room. But what a lamp covers reflects nothing into the room, for it is the
 // lamp that is seen there, and lamps reflect nothing. So the reflectance of a patch is that of the part of it that is not covered.
@@ -15,5 +15,11 @@ namespace shadowlab::radiosity {
 /// `originWorld`. Only lamps count that lie in its plane or close above (kCloseAbove in
 /// contacts.h), and shine the way the patch faces.
 double coveredByLamps(const Patch& patch, std::span<const scene::Light> lights, const dvec3& originWorld);
+
+/// Of all light that the patches send (their radiosities, W/m^2), the share that meets a lamp with an area, 0..1, if nothing else is in its
+/// way: what the solution lets pass. By the form factors from the centres of patches, so that patches must not be large beside their
+/// distance to a lamp.
+double caughtByLamps(std::span<const Patch> patches, std::span<const dvec3> radiosity, std::span<const scene::Light> lights,
+                     const dvec3& originWorld);
 
 } // namespace shadowlab::radiosity

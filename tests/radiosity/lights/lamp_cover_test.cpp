@@ -39,5 +39,28 @@ TEST(LampCover, IsWhatLiesStraightBehind) {
     EXPECT_EQ(coveredArea(0.02, false), 0) << "it shines at the ceiling";
 }
 
+// Where light is the same everywhere and in all directions, a body meets as much of it as its surface has of the walls'.
+TEST(LampCover, LampsInAFurnaceCatchTheirShareOfItsSurface) {
+    const dvec3 size{3, 2, 4};
+    const Room room(emptyRoom(size), 0.1);
+    const double walls = 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+    const std::vector<dvec3> radiosity(room.patches.size(), dvec3(0.7));
+    scene::Light ball, panel, point;
+    ball.type = scene::LightType::sphere;
+    ball.positionWorld = {1.2, 1.1, 1.9};
+    ball.radius = 0.4;
+    panel.type = scene::LightType::rect;
+    panel.positionWorld = {1.6, 0.9, 2.3};
+    panel.edgeUWorld = {0.6, 0.1, 0};
+    panel.edgeVWorld = {0, 0.1, 0.8};
+    const double ofBall = 4 * glm::pi<double>() * ball.radius * ball.radius / walls;
+    const double ofPanel = 2 * glm::length(glm::cross(panel.edgeUWorld, panel.edgeVWorld)) / walls;
+    const auto caught = [&](const std::vector<scene::Light>& lights) { return caughtByLamps(room.patches, radiosity, lights, room.originWorld); };
+    EXPECT_NEAR(caught({ball}), ofBall, 0.002 * ofBall); // by the centres of patches of 0.1 m
+    EXPECT_NEAR(caught({panel}), ofPanel, 0.002 * ofPanel);
+    EXPECT_NEAR(caught({ball, panel, point}), ofBall + ofPanel, 0.002 * (ofBall + ofPanel));
+    EXPECT_EQ(caught({point}), 0);
+}
+
 } // namespace
 } // namespace shadowlab::radiosity
