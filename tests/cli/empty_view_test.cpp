@@ -30,5 +30,22 @@ TEST_F(EmptyViewCommandTest, IsNotedOnceWithTheReason) {
     EXPECT_TRUE(scene::contains(measured, "nothing was measured: of 2 objects ")) << measured;
 }
 
+// A lamp that shines out of a room leaves it black, which is right, and a riddle.
+TEST_F(EmptyViewCommandTest, ABlackPictureIsNoted) {
+    const auto said = [&](const std::string& direction, const Words& more) {
+        folder.write("spot.json", std::string("{") + kCamera + R"(, "ambient": [0, 0, 0], "background": [0, 0, 0],
+            "lights": [{"type": "spot", "position": [0, 5, 0], "direction": [0, )" + direction + R"(, 0.01], "coneDegrees": 60, "intensity": 40}],
+            )" + kBoxOnFloor + "}\n");
+        Words words{"capture", "spot.json", "-o", "x.png", "--size", "64x48"};
+        words.insert(words.end(), more.begin(), more.end());
+        return succeed(words).err;
+    };
+    for (const std::string technique : {"unshadowed", "ray-traced", "radiosity"}) {
+        EXPECT_TRUE(scene::contains(said("1", {"-t", technique}), "note: every pixel is black: no light reaches what is in view"));
+        EXPECT_FALSE(scene::contains(said("-1", {"-t", technique}), "black"));
+    }
+    EXPECT_FALSE(scene::contains(said("1", {"-t", "shadow-map", "--stage", "visibility@light1"}), "black")) << "a stage may be black";
+}
+
 } // namespace
 } // namespace shadowlab::testing

@@ -33,6 +33,12 @@ namespace shadowlab::cli {
 
 namespace {
 
+bool isBlack(const image::Image& picture) {
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+        if (i % 4 != 3 && picture.rgba[i] != 0) return false; // the fourth is alpha
+    return true;
+}
+
 class Capture {
 public:
     explicit Capture(const CaptureOptions& options)
@@ -175,9 +181,14 @@ private:
         const bool needsFont = std::ranges::any_of(
             panels, [](const picture::Panel& p) { return !p.title.empty() || picture::hasLegend(p); });
         const picture::Figure figure = picture::composeFigure(cells, panels, size_, needsFont ? &font() : nullptr);
-        if (frame == 0)
+        if (frame == 0) {
             for (const std::string& remark : figure.notes)
                 note(remark);
+            const bool saysMore = !saidWhyNothingIsSeen_ && !base_->objects.empty(); // nothing of that was said before
+            if (saysMore && std::ranges::all_of(options_.stages, &picture::StageRef::isPicture) && isBlack(figure.picture))
+                note("every pixel is black: no light reaches what is in view; a rect, a spot and what glows with \"emits\": \"front\" shine to one side "
+                     "alone, and what is closed keeps light in or out");
+        }
         if (film_)
             film_->add(captions_ ? captions_->below(figure.picture, step_, panels.front().note) : figure.picture);
         else
