@@ -44,6 +44,7 @@ void Solution::restartIfChanged(const scene::Snapshot& snapshot, const Radiosity
                                params.tolerance,   params.steps,        params.stepsPerPicture,
                                params.ambientTerm, params.surroundings};
     if (key == solutionKey_) return;
+    if (key.room != solutionKey_.room) openings_ = Openings(cache_.room());
     solutionKey_ = key;
     sources_ = sourcesOf(cache_.room(), cache_.lights(), radianceOutside(*snapshot, params));
     for (std::size_t i = 0; i < sources_.size(); ++i)

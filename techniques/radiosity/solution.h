@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "techniques/radiosity/display/emitters.h"
+#include "techniques/radiosity/display/openings.h"
 #include "techniques/radiosity/equations/light_balance.h"
 #include "techniques/radiosity/exchange/hemicube_exchange.h"
 #include "techniques/radiosity/params.h"
@@ -34,6 +35,7 @@ public:
     [[nodiscard]] const RoomCache& cache() const { return cache_; }
     [[nodiscard]] const Sources& sources() const { return sources_; }
     [[nodiscard]] const Emitters& emitters() const { return emitters_; }
+    [[nodiscard]] const Openings& openings() const { return openings_; }
     [[nodiscard]] const LightBalance& balance() const { return balance_; }
 
 private:
@@ -58,6 +60,7 @@ private:
     SolutionCacheKey solutionKey_;
     Sources sources_;
     Emitters emitters_;
+    Openings openings_; ///< of the room that `solutionKey_` names
     LightBalance balance_;
     double done_ = 0;
 };

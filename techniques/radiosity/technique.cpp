@@ -197,12 +197,19 @@ private:
     /// True when all rays are sent, or the frame stops before what they gather is shown.
     bool advanceGather(const Frame& frame, Deadline deadline) {
         if (frame.stopsAfter() && frame.stopsAfter()->id != "display" && frame.stopsAfter()->id != "direct") return true;
+        static const Openings kNone;
+        const dvec3 outside = radianceOutside(*frame.snapshot(), params_);
         std::vector<dvec3> reflected = solution_.balance().irradianceShown();
+        const bool asksOpenings = solution_.openings().bringMuch(outside, solution_.cache().room().patches(), reflected);
         for (std::size_t i = 0; i < reflected.size(); ++i)
             reflected[i] -= solution_.sources().fromLights[i];
-        const GatherSolution solution{solution_.cache(),     solution_.sources(),
-                                      solution_.emitters(),  reflected,
-                                      radianceOutside(*frame.snapshot(), params_), solution_.balance().version()};
+        const GatherSolution solution{.cache = solution_.cache(),
+                                      .sources = solution_.sources(),
+                                      .emitters = solution_.emitters(),
+                                      .openings = asksOpenings ? solution_.openings() : kNone,
+                                      .reflectedIrradiance = reflected,
+                                      .outside = outside,
+                                      .version = solution_.balance().version()};
         const auto rays = static_cast<std::size_t>(params_.gatherSamples);
         if (params_.gather == RadiosityParams::Gather::pixels) return pixels_.advanceGather(solution, rays, deadline);
         return pixels_.advanceSharedGather(solution, rays, deadline);

@@ -104,12 +104,18 @@ double densityOfDirection(double density, double distance, double cosineThere) {
     return density * distance * distance / std::max(cosineThere, 1e-9);
 }
 
-/// What a ray to a chosen point of an emitter brings.
-struct FromEmitter {
+/// What a ray to a chosen point of an emitter or an opening brings.
+struct Brought {
     dvec3 irradiance{0.0}; ///< W/m^2
     double distance = 1;   ///< metres
 };
-FromEmitter fromEmitter(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point,
+void addTo(Gathered& sum, const Brought& brought) {
+    sum.irradiance += brought.irradiance;
+    sum.fromEmitters += luminance(brought.irradiance);
+    sum.nearnessOfEmitters += luminance(brought.irradiance) / brought.distance;
+}
+
+Brought fromEmitter(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point,
                         const dvec3& normal, const Emitters::Choice& chosen) {
     const dvec3 way = chosen.positionWorld - tracer.positionWorld(point);
     const double distance = glm::length(way);
@@ -125,6 +131,25 @@ FromEmitter fromEmitter(const GatherSolution& solution, const trace::SceneTracer
     return {weight * cosineHere / (glm::pi<double>() * density) * solution.sources.emission[chosen.patch], distance};
 }
 
+Brought fromOpening(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point, const dvec3& normal,
+                    const Openings::Choice& chosen) {
+    const dvec3 way = chosen.positionWorld - tracer.positionWorld(point);
+    const double distance = glm::length(way);
+    const dvec3 direction = way / distance;
+    const double cosineHere = glm::dot(direction, normal), cosineThere = glm::dot(direction, chosen.outward);
+    if (cosineHere <= 0 || cosineThere <= 0 || glm::dot(direction, geometricNormal(tracer, point)) <= 0) return {};
+    if (tracer.nextPoint(point, direction)) return {};
+    const double density = densityOfDirection(solution.openings.density(), distance, cosineThere);
+    return {balanced(density, cosineHere / glm::pi<double>()) * cosineHere / density * solution.outside, distance};
+}
+
+/// The share of what comes in along a ray in any direction that counts where rays to openings may find it, too.
+double shareOfOutside(const Openings& openings, const dvec3& fromWorld, const dvec3& direction, double cosineHere) {
+    const auto exit = openings.exit(fromWorld, direction);
+    if (!exit) return 1;
+    return balanced(cosineHere / glm::pi<double>(), densityOfDirection(openings.density(), exit->distance, exit->cosine));
+}
+
 } // namespace
 
 // [anchor: final-gather]
@@ -134,6 +159,7 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
     const dvec3 from = tracer.positionCentred(point), normal = light.normalWorld(point), flat = geometricNormal(tracer, point);
     const dvec2& shift = rays.shift;
     CosineDirections directions(normal, shift, rays.first);
+    const bool asksOpenings = !solution.openings.isEmpty() && solution.openings.surround(tracer.positionWorld(point));
     Gathered sum;
     for (std::size_t i = rays.first; i < rays.first + rays.count; ++i) {
         const dvec3 leaning = directions.next();
@@ -155,16 +181,14 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
                 sum.irradiance += sent.emitted;
             }
         } else {
-            sum.irradiance += glm::pi<double>() * solution.outside;
+            const double share = asksOpenings ? shareOfOutside(solution.openings, tracer.positionWorld(point), direction, glm::dot(leaning, normal)) : 1;
+            sum.irradiance += share * glm::pi<double>() * solution.outside;
         }
-        if (!solution.emitters.isEmpty()) {
-            const double which = glm::fract(kGolden * (static_cast<double>(i) + 0.5) + shift.x + shift.y);
-            const dvec2 where = glm::fract(pointOf(i) + dvec2(shift.y, shift.x));
-            const FromEmitter found = fromEmitter(solution, tracer, point, normal, solution.emitters.choose(which, where));
-            sum.irradiance += found.irradiance;
-            sum.fromEmitters += luminance(found.irradiance);
-            sum.nearnessOfEmitters += luminance(found.irradiance) / found.distance;
-        }
+        if (solution.emitters.isEmpty() && !asksOpenings) continue;
+        const double which = glm::fract(kGolden * (static_cast<double>(i) + 0.5) + shift.x + shift.y);
+        const dvec2 where = glm::fract(pointOf(i) + dvec2(shift.y, shift.x));
+        if (!solution.emitters.isEmpty()) addTo(sum, fromEmitter(solution, tracer, point, normal, solution.emitters.choose(which, where)));
+        if (asksOpenings) addTo(sum, fromOpening(solution, tracer, point, normal, solution.openings.choose(which, where)));
     }
     return sum;
 }

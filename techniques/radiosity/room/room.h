@@ -41,6 +41,8 @@ public:
     [[nodiscard]] const SimplifiedScene& simple() const { return *simple_; }
     /// The triangles of the simplified scene; originWorld is the origin of centred space.
     [[nodiscard]] const trace::WorldTriangles& world() const { return world_; }
+    /// Of the same.
+    [[nodiscard]] const trace::SceneTracer& tracer() const { return tracer_; }
     [[nodiscard]] const Sides& sides() const { return sides_; }
     /// Only the sides that exchange light.
     [[nodiscard]] const Faces& exchangingFaces() const { return exchangingFaces_; }

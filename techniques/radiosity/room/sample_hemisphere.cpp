@@ -14,6 +14,11 @@ namespace {
 // With Hammersley points the shares are right to about a hundredth, which is enough for light from the surroundings.
 constexpr int kRaysAround = 256;
 
+// But where less than this share of the view is no surface, a hundredth is a large part of it. In a room with a window that is all the light
+// there is: there so many rays look.
+constexpr double kSmallView = 0.2;
+constexpr std::size_t kRaysOfSmallView = 2048;
+
 // One ray in so many is followed to its end to find whether it starts inside a body. The answer is the same nearly everywhere on
 // a patch, so few will do.
 constexpr int kRaysPerWay = 8;
@@ -25,21 +30,32 @@ std::array<dvec3, 2> tangents(const dvec3& normal) {
     return {first, glm::cross(normal, first)};
 }
 
+/// Number `i` of so many. Off the surface by twice the contact tolerance.
+HemisphereRay rayOf(const Patch& patch, const std::array<dvec3, 2>& tangents, int i, int count) {
+    const auto x = hammersley4(i, count);
+    const dvec3 from = placeIn(patch.polygon, x[0], x[1]).point + 2 * kTouching * sizeOf(patch.polygon) * patch.normal;
+    // Uniform points of the unit disc, projected up to the hemisphere, are cosine-distributed directions (Malley, 1988).
+    const double radius = std::sqrt(x[2]), angle = glm::two_pi<double>() * x[3];
+    return {from, radius * (std::cos(angle) * tangents[0] + std::sin(angle) * tangents[1]) + std::sqrt(std::max(0.0, 1 - x[2])) * patch.normal};
+}
+
 } // namespace
+
+std::vector<HemisphereRay> outwardRays(const trace::SceneTracer& tracer, const Patch& patch, std::size_t count) {
+    const std::array<dvec3, 2> frame = tangents(patch.normal);
+    std::vector<HemisphereRay> outward;
+    for (int i = 0; i < static_cast<int>(count); ++i)
+        if (const HemisphereRay one = rayOf(patch, frame, i, static_cast<int>(count)); !tracer.nextPoint(one.fromCentred, trace::kNoPrimitive, one.direction))
+            outward.push_back(one);
+    return outward;
+}
 
 HemisphereShares sampleHemisphere(const trace::SceneTracer& tracer, const ClosedBodies& bodies, const Patch& patch,
                                   std::uint32_t object, double foldMetres) {
-    const auto [tangent, bitangent] = tangents(patch.normal);
+    const std::array<dvec3, 2> frame = tangents(patch.normal);
     int nothing = 0, inBodies = 0, folds = 0;
     for (int i = 0; i < kRaysAround; ++i) {
-        const auto x = hammersley4(i, kRaysAround);
-        // Off the surface by twice the contact tolerance.
-        const dvec3 from =
-            placeIn(patch.polygon, x[0], x[1]).point + 2 * kTouching * sizeOf(patch.polygon) * patch.normal;
-        // Uniform points of the unit disc, projected up to the hemisphere, are cosine-distributed directions (Malley, 1988).
-        const double radius = std::sqrt(x[2]), angle = glm::two_pi<double>() * x[3];
-        const dvec3 direction = radius * (std::cos(angle) * tangent + std::sin(angle) * bitangent) +
-                                std::sqrt(std::max(0.0, 1 - x[2])) * patch.normal;
+        const auto [from, direction] = rayOf(patch, frame, i, kRaysAround);
         inBodies += i % kRaysPerWay == 0 && bodies.contain(from, direction);
         const trace::SurfacePoint hit = tracer.nextPoint(from, trace::kNoPrimitive, direction);
         if (!hit) {
@@ -50,7 +66,12 @@ HemisphereShares sampleHemisphere(const trace::SceneTracer& tracer, const Closed
                  glm::distance(tracer.positionCentred(hit), from) < foldMetres;
     }
     const auto share = [](int rays) { return static_cast<double>(rays) / kRaysAround; };
-    return {share(nothing), kRaysPerWay * share(inBodies), share(folds)};
+    HemisphereShares shares{share(nothing), kRaysPerWay * share(inBodies), share(folds)};
+    if (shares.nothing > 0 && shares.nothing < kSmallView) {
+        const std::size_t more = outwardRays(tracer, patch, kRaysOfSmallView).size(), all = kRaysAround + kRaysOfSmallView;
+        shares.nothing = static_cast<double>(static_cast<std::size_t>(nothing) + more) / static_cast<double>(all);
+    }
+    return shares;
 }
 
 } // namespace shadowlab::radiosity

@@ -5,6 +5,9 @@
 // Cosine-distributed rays from the patch estimate these shares.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
+#include <vector>
+
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "techniques/radiosity/patches/patches.h"
 #include "techniques/radiosity/patches/winding_number.h"
@@ -18,9 +21,18 @@ struct HemisphereShares {
     double folds = 0;    ///< hits the patch's own object nearer than `foldMetres`
 };
 
-/// The rays are always the same for the same patch. Exactly 0 or 1 where all rays agree, else right to some hundredths. `object`:
+/// The rays are always the same for the same patch. Exactly 0 or 1 where all rays agree, else right to some hundredths; a small share of
+/// nothing, as in a room with a window, to a few thousandths. `object`:
 /// the patch's own. `foldMetres`: how near its own object must be for a fold of a simplified mesh; 0: none is looked for.
 HemisphereShares sampleHemisphere(const trace::SceneTracer& tracer, const ClosedBodies& bodies, const Patch& patch,
                                   std::uint32_t object, double foldMetres);
+
+/// One of the rays.
+struct HemisphereRay {
+    dvec3 fromCentred{0.0}, direction{0.0};
+};
+
+/// Those of so many rays that hit no surface.
+std::vector<HemisphereRay> outwardRays(const trace::SceneTracer& tracer, const Patch& patch, std::size_t count);
 
 } // namespace shadowlab::radiosity

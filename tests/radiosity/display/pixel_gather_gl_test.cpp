@@ -7,6 +7,7 @@
 
 #include "app/context/assets.h"
 #include "techniques/foundation/scene/load/load.h"
+#include "techniques/radiosity/form_factors/point_form_factor.h"
 #include "tests/radiosity/scene_room.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/light_shares.h"
@@ -156,6 +157,51 @@ TEST_F(RadiosityGatherTest, ASmallEmitterIsItsClosedFormAlongFewRays) {
             }
         EXPECT_EQ(compared, size.x * size.y);
         EXPECT_LT(mean / compared, mostMean) << gather << ": without such rays it is above 1, nearly all pixels being black";
+        EXPECT_LT(worst, most) << gather;
+    }
+}
+
+// A black room with a window, through which a floor sees the bright background: rays to points of the window find its light without noise.
+// What a point sees of it is its form factor, by Lambert's formula.
+TEST_F(RadiosityGatherTest, LightThroughAWindowIsItsClosedFormAlongFewRays) {
+    constexpr double kWidth = 4, kHeight = 2.5, kDepth = 4, kLeft = 1.2, kRight = 2.4, kSill = 1, kTop = 1.9;
+    constexpr float kSky = 3, kReflects = 0.6f;
+    scene::Scene scene = testing::emptyRoom({kWidth, kHeight, kDepth});
+    scene.background = vec3(kSky);
+    scene.materials.resize(2);
+    scene.materials[0].diffuse = vec3(0.0f);
+    scene.materials[1].diffuse = vec3(kReflects);
+    scene.objects[0].partMaterials = {1}; // the floor
+    scene.objects.erase(scene.objects.begin() + 2); // the wall z = 0; in its place four pieces of it
+    const auto piece = [&](double left, double right, double below, double above) {
+        testing::addObject(scene, scene::makeQuad({right - left, above - below}),
+                           glm::rotate(testing::translation({(left + right) / 2, (below + above) / 2, 0}), glm::radians(90.0), dvec3(1, 0, 0)));
+    };
+    piece(0, kLeft, 0, kHeight);
+    piece(kRight, kWidth, 0, kHeight);
+    piece(kLeft, kRight, 0, kSill);
+    piece(kLeft, kRight, kTop, kHeight);
+    scene.camera.positionWorld = {2, 2.2, 2.001};
+    scene.camera.targetWorld = {2, 0, 2};
+    scene.camera.fovYDegrees = 75;
+    const ivec2 size{32, 32};
+    const radiosity::Polygon window{{kLeft, kSill, 0}, {kRight, kSill, 0}, {kRight, kTop, 0}, {kLeft, kTop, 0}};
+    for (const auto& [gather, mostMean, most] : {std::tuple(std::string("gather=pixels"), 0.12, 0.5), {"gather=shared", 0.06, 0.25}}) {
+        testing::TechniqueSlot radiosity("radiosity", testing::snapshot(scene));
+        const std::vector<vec4> texels = radiosity.radiance({"patches=60", gather, "gather-samples=32"}, size);
+        double worst = 0, mean = 0;
+        int compared = 0;
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const double factor = radiosity::pointFormFactor(floorPoint(scene.camera, {x, y}, size), {0, 1, 0}, window);
+                const double expected = static_cast<double>(kReflects * kSky) * factor; // rho / pi * pi L F
+                const double error = static_cast<double>(texels[static_cast<std::size_t>(y * size.x + x)].g) / expected - 1;
+                worst = std::max(worst, std::abs(error));
+                mean += std::abs(error);
+                ++compared;
+            }
+        EXPECT_EQ(compared, size.x * size.y);
+        EXPECT_LT(mean / compared, mostMean) << gather << ": by rays in all directions alone it is 0.97 and 0.16";
         EXPECT_LT(worst, most) << gather;
     }
 }
