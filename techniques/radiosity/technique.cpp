@@ -22,6 +22,7 @@
 #include "techniques/radiosity/display/pixel_picture.h"
 #include "techniques/radiosity/display/stages.h"
 #include "techniques/radiosity/display/surface_picture.h"
+#include "techniques/radiosity/lights/lamp_cover.h"
 #include "techniques/radiosity/params.h"
 #include "techniques/radiosity/probe.h"
 #include "techniques/radiosity/solution.h"
@@ -61,9 +62,11 @@ public:
         const bool isFinished = isSolved && isDirectComplete && isGathered;
         if (!isFinished && !isNew(frame, direct, mayGather)) return {0.95, false};
         Showing showing{frame, solution_.cache(), solution_.sources(), solution_.balance(), picture_, params_, std::nullopt};
-        if (isSolved)
+        if (isSolved) {
             showing.patchError = patchError_.share(solution_.cache(), solution_.sources(), solution_.balance(), params_.showsPixels(),
                                                    frame.view().camera.positionWorld);
+            showing.caughtByLamps = shareCaughtByLamps(frame.scene().lights);
+        }
 
         frame.pass(passInfo(kPasses, "patches"), [&] { clear(frame); });
         frame.pass(passInfo(kPasses, "form-factors"), [&] { clear(frame); });
@@ -189,6 +192,14 @@ private:
         showing.draw(radiosity, false);
     }
 
+    /// Kept while the solution stays.
+    double shareCaughtByLamps(std::span<const scene::Light> lights) {
+        const Room& room = solution_.cache().room();
+        const std::uint64_t version = solution_.balance().version();
+        if (caught_.first != version) caught_ = {version, caughtByLamps(room.patches(), solution_.balance().radiosity(), lights, room.world().originWorld)};
+        return caught_.second;
+    }
+
     /// One value per patch. Pass `display` draws over it, unless the frame stops here.
     void drawSolution(const Showing& showing) const {
         if (showing.frame.stopsAfter() || params_.isFlat()) showing.draw(solution_.balance().radiosity(), false);
@@ -236,6 +247,7 @@ private:
     RadiosityParams params_;
     Solution solution_;
     PatchError patchError_;
+    std::pair<std::uint64_t, double> caught_{0, 0.0}; ///< the solution's version, and the share of its light that would meet lamps
     LightMap lightMap_;
     SurfacePicture picture_;
     PixelPicture pixels_;

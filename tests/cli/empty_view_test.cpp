@@ -44,7 +44,10 @@ TEST_F(EmptyViewCommandTest, ABlackPictureIsNoted) {
         EXPECT_TRUE(scene::contains(said("1", {"-t", technique}), "note: every pixel is black: no light reaches what is in view"));
         EXPECT_FALSE(scene::contains(said("-1", {"-t", technique}), "black"));
     }
+    EXPECT_TRUE(scene::contains(said("1", {"-t", "unshadowed,shadow-map"}), "every pixel is black")) << "both are";
     EXPECT_FALSE(scene::contains(said("1", {"-t", "shadow-map", "--stage", "visibility@light1"}), "black")) << "a stage may be black";
+    EXPECT_FALSE(scene::contains(said("-1", {"-t", "unshadowed,shadow-map", "--layout", "diff"}), "black")) << "and a difference of nothing";
+    EXPECT_FALSE(scene::contains(said("1", {"-t", "shadow-map", "--steps", "--labels", "false"}), "black")) << "and a step";
 }
 
 } // namespace

@@ -160,7 +160,16 @@ private:
             if (options_.labels && slots_.size() > 1) drawn.panel.title = slots_[i].info->title;
             panels.push_back(std::move(drawn.panel));
         }
+        if (frame == 0) sayThatAllIsBlack(panels);
         writeFigure(frame, path, cells, panels);
+    }
+
+    /// Of finished pictures, where nothing else was said of why there is nothing to be seen.
+    void sayThatAllIsBlack(const std::vector<picture::Panel>& panels) const {
+        if (saidWhyNothingIsSeen_ || base_->objects.empty() || !std::ranges::all_of(stages_, &picture::ResolvedStage::isPicture)) return;
+        if (std::ranges::all_of(panels, isBlack, &picture::Panel::picture))
+            note("every pixel is black: no light reaches what is in view; a rect, a spot and what glows with \"emits\": \"front\" shine to one side "
+                 "alone, and what is closed keeps light in or out");
     }
 
     /// Of the first picture without any surface. What the second camera sees is another question.
@@ -181,14 +190,9 @@ private:
         const bool needsFont = std::ranges::any_of(
             panels, [](const picture::Panel& p) { return !p.title.empty() || picture::hasLegend(p); });
         const picture::Figure figure = picture::composeFigure(cells, panels, size_, needsFont ? &font() : nullptr);
-        if (frame == 0) {
+        if (frame == 0)
             for (const std::string& remark : figure.notes)
                 note(remark);
-            const bool saysMore = !saidWhyNothingIsSeen_ && !base_->objects.empty(); // nothing of that was said before
-            if (saysMore && std::ranges::all_of(options_.stages, &picture::StageRef::isPicture) && isBlack(figure.picture))
-                note("every pixel is black: no light reaches what is in view; a rect, a spot and what glows with \"emits\": \"front\" shine to one side "
-                     "alone, and what is closed keeps light in or out");
-        }
         if (film_)
             film_->add(captions_ ? captions_->below(figure.picture, step_, panels.front().note) : figure.picture);
         else

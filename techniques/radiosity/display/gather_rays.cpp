@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/gtc/constants.hpp>
 
@@ -115,32 +116,41 @@ void addTo(Gathered& sum, const Brought& brought) {
     sum.nearnessOfEmitters += luminance(brought.irradiance) / brought.distance;
 }
 
-Brought fromEmitter(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point,
-                        const dvec3& normal, const Emitters::Choice& chosen) {
-    const dvec3 way = chosen.positionWorld - tracer.positionWorld(point);
+/// A ray to a chosen point.
+struct Aim {
+    dvec3 direction{0.0};
+    double distance = 0, cosineHere = 0, cosineThere = 0;
+};
+/// `facing`: of the surface there, toward those who see it. Nothing: they do not face each other.
+std::optional<Aim> aimAt(const dvec3& positionWorld, const dvec3& facing, const trace::SceneTracer& tracer, const trace::SurfacePoint& point,
+                         const dvec3& normal) {
+    const dvec3 way = positionWorld - tracer.positionWorld(point);
     const double distance = glm::length(way);
-    if (!(distance > kLeastDistance)) return {};
+    if (!(distance > kLeastDistance)) return std::nullopt;
     const dvec3 direction = way / distance;
-    const double cosineHere = glm::dot(direction, normal), cosineThere = -glm::dot(direction, chosen.normal);
-    if (cosineHere <= 0 || cosineThere <= 0 || glm::dot(direction, geometricNormal(tracer, point)) <= 0) return {};
-    const trace::SurfacePoint met = tracer.nextPoint(point, direction);
-    if (!met || glm::distance(tracer.positionWorld(met), tracer.positionWorld(point)) < (1 - kSamePlace) * distance) return {};
-    const double byChoice = densityOfDirection(solution.emitters.density(chosen.patch), distance, cosineThere);
-    const double weight = balanced(byChoice, cosineHere / glm::pi<double>());
-    const double density = densityOfDirection(chosen.density, distance, cosineThere);
-    return {weight * cosineHere / (glm::pi<double>() * density) * solution.sources.emission[chosen.patch], distance};
+    const Aim aim{direction, distance, glm::dot(direction, normal), -glm::dot(direction, facing)};
+    if (aim.cosineHere <= 0 || aim.cosineThere <= 0 || glm::dot(direction, geometricNormal(tracer, point)) <= 0) return std::nullopt;
+    return aim;
+}
+
+Brought fromEmitter(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point, const dvec3& normal,
+                    const Emitters::Choice& chosen) {
+    const auto aim = aimAt(chosen.positionWorld, chosen.normal, tracer, point, normal);
+    if (!aim) return {};
+    const trace::SurfacePoint met = tracer.nextPoint(point, aim->direction);
+    if (!met || glm::distance(tracer.positionWorld(met), tracer.positionWorld(point)) < (1 - kSamePlace) * aim->distance) return {};
+    const double byChoice = densityOfDirection(solution.emitters.density(chosen.patch), aim->distance, aim->cosineThere);
+    const double weight = balanced(byChoice, aim->cosineHere / glm::pi<double>());
+    const double density = densityOfDirection(chosen.density, aim->distance, aim->cosineThere);
+    return {weight * aim->cosineHere / (glm::pi<double>() * density) * solution.sources.emission[chosen.patch], aim->distance};
 }
 
 Brought fromOpening(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point, const dvec3& normal,
                     const Openings::Choice& chosen) {
-    const dvec3 way = chosen.positionWorld - tracer.positionWorld(point);
-    const double distance = glm::length(way);
-    const dvec3 direction = way / distance;
-    const double cosineHere = glm::dot(direction, normal), cosineThere = glm::dot(direction, chosen.outward);
-    if (cosineHere <= 0 || cosineThere <= 0 || glm::dot(direction, geometricNormal(tracer, point)) <= 0) return {};
-    if (tracer.nextPoint(point, direction)) return {};
-    const double density = densityOfDirection(solution.openings.density(), distance, cosineThere);
-    return {balanced(density, cosineHere / glm::pi<double>()) * cosineHere / density * solution.outside, distance};
+    const auto aim = aimAt(chosen.positionWorld, chosen.inward, tracer, point, normal);
+    if (!aim || tracer.nextPoint(point, aim->direction)) return {};
+    const double density = densityOfDirection(solution.openings.density(), aim->distance, aim->cosineThere);
+    return {balanced(density, aim->cosineHere / glm::pi<double>()) * aim->cosineHere / density * solution.outside, aim->distance};
 }
 
 /// The share of what comes in along a ray in any direction that counts where rays to openings may find it, too.

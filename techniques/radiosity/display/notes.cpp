@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "techniques/foundation/base/look.h"
-#include "techniques/radiosity/lights/lamp_cover.h"
 
 namespace shadowlab::radiosity {
 
@@ -90,10 +89,8 @@ void noteError(Frame& frame, double share) {
 }
 
 /// Lamps are no patches, and so in no light's way.
-void noteLamps(Frame& frame, const Showing& showing) {
+void noteLamps(Frame& frame, double caught) {
     constexpr double kLeast = 0.01;
-    const Room& room = showing.cache.room();
-    const double caught = caughtByLamps(room.patches(), showing.balance.radiosity(), frame.scene().lights, room.world().originWorld);
     if (caught < kLeast) return;
     frame.note("lamps", "reflected light goes through them: up to " + percent(caught) + " of what surfaces send would meet them", look::kLit);
 }
@@ -116,7 +113,7 @@ void publishNotes(const Showing& showing) {
     noteFormFactors(showing.frame, showing.cache.exchange());
     noteSolution(showing.frame, showing);
     if (showing.patchError) noteError(showing.frame, *showing.patchError);
-    if (showing.patchError) noteLamps(showing.frame, showing);
+    noteLamps(showing.frame, showing.caughtByLamps);
     noteMaterials(showing.frame);
 }
 

@@ -123,11 +123,11 @@ Openings::Choice Openings::choose(double which, const dvec2& where) const {
     const std::size_t cell = open_[static_cast<std::size_t>(found)], face = faceOfCell(cell), within = cell - face * kCellsOfFace;
     const int axis = static_cast<int>(face / 2);
     const bool isUpper = face % 2 == 1;
-    dvec3 place(isUpper ? 1.0 : 0.0), outward(0);
+    dvec3 place(isUpper ? 1.0 : 0.0), inward(0);
     place[(axis + 1) % 3] = (static_cast<double>(within % kCells) + where.x) / static_cast<double>(kCells);
     place[(axis + 2) % 3] = (static_cast<double>(within / kCells) + where.y) / static_cast<double>(kCells);
-    outward[axis] = isUpper ? 1 : -1;
-    return {lower_ + place * (upper_ - lower_), outward};
+    inward[axis] = isUpper ? -1 : 1;
+    return {lower_ + place * (upper_ - lower_), inward};
 }
 
 std::optional<Openings::Exit> Openings::exit(const dvec3& fromWorld, const dvec3& direction) const {

@@ -28,7 +28,7 @@ public:
 
     /// A point of an opening.
     struct Choice {
-        dvec3 positionWorld{0.0}, outward{0.0}; ///< outward: unit
+        dvec3 positionWorld{0.0}, inward{0.0}; ///< inward: unit
     };
     /// `which` and `where`: of the unit interval and the unit square, evenly distributed.
     [[nodiscard]] Choice choose(double which, const dvec2& where) const;

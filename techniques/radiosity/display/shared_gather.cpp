@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "techniques/foundation/math/morton.h"
 #include "techniques/foundation/math/random_pair.h"
 #include "techniques/foundation/trace/parallel.h"
 
@@ -60,15 +61,12 @@ auto inPieces(std::size_t count, const auto& work) {
     };
 }
 
-/// The rays of a place of the lattice. Those of a tile of 8 x 8 places follow one another in one sequence, along Morton's curve (1966), so that
+/// The rays of a place of the lattice. Those of a tile of 8 x 8 places follow one another in one sequence, along Morton's curve, so that
 /// the rays of some neighbours together fill the half sphere as evenly as those of one, and a plane through what they found has little
 /// noise. Tiles have sequences of their own: else edges of light would show them.
 GatherRays raysOf(ivec2 place, std::size_t count) {
-    constexpr int kTile = 8;
-    std::size_t number = 0; // in the tile
-    for (int bit = 0; 1 << bit < kTile; ++bit)
-        number |= static_cast<std::size_t>((place.x >> bit & 1) | (place.y >> bit & 1) << 1) << 2 * bit;
-    return {randomPair(pixelKey(place / kTile)), number * count, count};
+    constexpr int kBits = 3, kTile = 1 << kBits;
+    return {randomPair(pixelKey(place / kTile)), alongMortonCurve(place, kBits) * count, count};
 }
 
 /// R, metres: what emitters bring, as much as it is of all, changes with the distance to them.

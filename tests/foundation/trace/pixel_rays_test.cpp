@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "techniques/foundation/math/morton.h"
 #include "techniques/foundation/trace/packets/pixel_rays.h"
 #include "tests/support/scenes.h"
 
@@ -17,6 +18,13 @@ std::vector<ivec2> scattered(ivec2 size, std::mt19937& random) {
             if (random() % 5 == 0 || (x / 8 + y / 8) % 7 == 0) pixels.emplace_back(x, y); // a few of each block, and all of some
     sortByBlock(pixels);
     return pixels;
+}
+
+// Bits of 3 = 011 and 5 = 101, those of the first coordinate below: 10 01 11.
+TEST(PixelRaysTest, MortonsCurveTakesTheBitsInTurn) {
+    EXPECT_EQ(alongMortonCurve(ivec2(3, 5), 3), 0b100111u);
+    EXPECT_EQ(alongMortonCurve(ivec2(3, 5), 2), 0b0111u) << "two bits of each";
+    EXPECT_EQ(alongMortonCurve(glm::ivec3(1, 0, 2), 2), 0b100001u);
 }
 
 struct Answers {

@@ -23,6 +23,23 @@ dvec3 floorPoint(const scene::Camera& camera, ivec2 pixel, ivec2 size) {
     return camera.positionWorld - camera.positionWorld.y / direction.y * direction;
 }
 
+/// Of a picture that shows nothing but that floor: by what share its pixels are off what is expected at their points, in the mean and at most.
+struct FloorErrors {
+    double mean = 0, worst = 0;
+};
+FloorErrors errorsOnFloor(const std::vector<vec4>& texels, const scene::Camera& camera, ivec2 size, const auto& expectedAt) {
+    FloorErrors errors;
+    EXPECT_EQ(texels.size(), static_cast<std::size_t>(size.x * size.y));
+    for (int i = 0; i < size.x * size.y; ++i) {
+        const double expected = expectedAt(floorPoint(camera, {i % size.x, i / size.x}, size));
+        EXPECT_GT(expected, 0);
+        const double error = std::abs(static_cast<double>(texels[static_cast<std::size_t>(i)].g) / expected - 1);
+        errors.mean += error / (size.x * size.y);
+        errors.worst = std::max(errors.worst, error);
+    }
+    return errors;
+}
+
 // Whatever direction a ray takes, it finds the same radiosity.
 TEST_F(RadiosityGatherTest, InAFurnaceEveryRayIsRight) {
     scene::Scene scene = testing::emptyRoom({3, 2, 4});
@@ -82,17 +99,11 @@ TEST_F(RadiosityGatherTest, BeforeAWallTheFloorIsItsClosedForm) {
         testing::TechniqueSlot radiosity("radiosity", testing::snapshot(scene));
         const std::vector<vec4> texels =
             radiosity.radiance({"patches=6", "surroundings=dark", gather, "gather-samples=4096"}, size);
-        double error = 0;
-        int compared = 0;
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) {
-                const double d = floorPoint(scene.camera, {x, y}, size).z, factor = (1 - d / std::hypot(d, kHeight)) / 2;
-                const double expected = static_cast<double>(scene.materials[0].diffuse.x) * factor; // rho / pi * pi L F
-                error += std::abs(static_cast<double>(texels[static_cast<std::size_t>(y * size.x + x)].g) - expected) / expected;
-                ++compared;
-            }
-        EXPECT_EQ(compared, size.x * size.y);
-        return error / compared;
+        return errorsOnFloor(texels, scene.camera, size, [&](const dvec3& point) {
+                   const double factor = (1 - point.z / std::hypot(point.z, kHeight)) / 2;
+                   return static_cast<double>(scene.materials[0].diffuse.x) * factor; // rho / pi * pi L F
+               })
+            .mean;
     };
     EXPECT_LT(meanError("gather=shared"), 0.02);
     EXPECT_LT(meanError("gather=pixels"), 0.02) << "of 4096 rays chosen by chance it would be 0.05: on average a twentieth of them meets the wall";
@@ -140,24 +151,15 @@ TEST_F(RadiosityGatherTest, ASmallEmitterIsItsClosedFormAlongFewRays) {
     for (const auto& [gather, mostMean, most] : {std::tuple(std::string("gather=pixels"), 0.005, 0.05), {"gather=shared", 0.02, 0.1}}) {
         testing::TechniqueSlot radiosity("radiosity", testing::snapshot(scene));
         const std::vector<vec4> texels = radiosity.radiance({"patches=8", "surroundings=dark", gather, "gather-samples=32"}, size);
-        double worst = 0, mean = 0;
-        int compared = 0;
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) {
-                const dvec3 p = floorPoint(scene.camera, {x, y}, size);
-                double factor = 0;
-                for (const double i : {-1.0, 1.0})
-                    for (const double j : {-1.0, 1.0})
-                        factor += i * j * ofCorner(i * kSide / 2 - p.x, j * kSide / 2 - p.z);
-                const double expected = 0.6 * 20 * factor; // rho / pi * pi L F
-                const double error = static_cast<double>(texels[static_cast<std::size_t>(y * size.x + x)].g) / expected - 1;
-                worst = std::max(worst, std::abs(error));
-                mean += std::abs(error);
-                ++compared;
-            }
-        EXPECT_EQ(compared, size.x * size.y);
-        EXPECT_LT(mean / compared, mostMean) << gather << ": without such rays it is above 1, nearly all pixels being black";
-        EXPECT_LT(worst, most) << gather;
+        const FloorErrors errors = errorsOnFloor(texels, scene.camera, size, [&](const dvec3& p) {
+            double factor = 0;
+            for (const double i : {-1.0, 1.0})
+                for (const double j : {-1.0, 1.0})
+                    factor += i * j * ofCorner(i * kSide / 2 - p.x, j * kSide / 2 - p.z);
+            return 0.6 * 20 * factor; // rho / pi * pi L F
+        });
+        EXPECT_LT(errors.mean, mostMean) << gather << ": without such rays it is above 1, nearly all pixels being black";
+        EXPECT_LT(errors.worst, most) << gather;
     }
 }
 
@@ -189,20 +191,12 @@ TEST_F(RadiosityGatherTest, LightThroughAWindowIsItsClosedFormAlongFewRays) {
     for (const auto& [gather, mostMean, most] : {std::tuple(std::string("gather=pixels"), 0.12, 0.5), {"gather=shared", 0.06, 0.25}}) {
         testing::TechniqueSlot radiosity("radiosity", testing::snapshot(scene));
         const std::vector<vec4> texels = radiosity.radiance({"patches=60", gather, "gather-samples=32"}, size);
-        double worst = 0, mean = 0;
-        int compared = 0;
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) {
-                const double factor = radiosity::pointFormFactor(floorPoint(scene.camera, {x, y}, size), {0, 1, 0}, window);
-                const double expected = static_cast<double>(kReflects * kSky) * factor; // rho / pi * pi L F
-                const double error = static_cast<double>(texels[static_cast<std::size_t>(y * size.x + x)].g) / expected - 1;
-                worst = std::max(worst, std::abs(error));
-                mean += std::abs(error);
-                ++compared;
-            }
-        EXPECT_EQ(compared, size.x * size.y);
-        EXPECT_LT(mean / compared, mostMean) << gather << ": by rays in all directions alone it is 0.97 and 0.16";
-        EXPECT_LT(worst, most) << gather;
+        const FloorErrors errors = errorsOnFloor(texels, scene.camera, size, [&](const dvec3& point) {
+            return static_cast<double>(kReflects * kSky) * radiosity::pointFormFactor(point, {0, 1, 0}, window); // rho / pi * pi L F
+        });
+        // Half of the chosen points lie beside the window, as cells do not end where it ends: found 0.08 and 0.05, and 0.3 and 0.2 at most.
+        EXPECT_LT(errors.mean, mostMean) << gather << ": by rays in all directions alone it is 0.97 and 0.16";
+        EXPECT_LT(errors.worst, most) << gather;
     }
 }
 
@@ -273,7 +267,8 @@ TEST_F(RadiosityGatherTest, FewPixelsGatherForALargePicture) {
     EXPECT_LT(std::sqrt(squares * count) / sum, 0.01);
 }
 
-/// The mean of a picture by gathering, over that by paths.
+/// The mean of a picture by gathering, over that by paths: 1 but for chance, which is a hundredth with a million rays each if one of a hundred
+/// meets what is bright.
 double gatheredOverPaths(const scene::Scene& scene, ivec2 size) {
     const auto mean = [&](const std::string& technique, const std::vector<std::string>& settings) {
         double sum = 0;
@@ -339,7 +334,7 @@ TEST_F(RadiosityGatherTest, CornersAreSmooth) {
         EXPECT_GT(sum / count, 0.05) << y;
         roughest = std::max(roughest, std::sqrt(squares * count) / sum);
     }
-    EXPECT_LT(roughest, 0.05) << "where no pixel takes over from the nearest ones it is 0.19";
+    EXPECT_LT(roughest, 0.05) << "it is 0.04; where no pixel takes over from the nearest ones it is 0.19";
 }
 
 // A ground of a kilometre, on which colour bleeds a metre wide.

@@ -112,14 +112,14 @@ void MeshBuffers::drawPositions(std::uint32_t firstTriangle, std::uint32_t trian
 }
 
 template <typename Bind>
-OrderedTriangles::Uploaded OrderedTriangles::upload(const std::vector<uvec3>& triangles, const Bind& bind) const {
+OrderedTriangles::Uploaded OrderedTriangles::upload(const std::vector<uvec3>& triangles, const Bind& bindVertices) const {
     std::vector<uvec3> ordered;
     ordered.reserve(order_.size());
     for (const std::uint32_t triangle : order_)
         ordered.push_back(triangles[triangle]);
     Uploaded uploaded{VertexArrayHandle::create(), {}};
     glBindVertexArray(uploaded.array.id());
-    bind();
+    bindVertices();
     uploaded.indices = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, ordered);
     glBindVertexArray(0);
     return uploaded;

@@ -70,9 +70,9 @@ private:
         VertexArrayHandle array;
         BufferHandle indices;
     };
-    /// `bind` binds what the vertices of these triangles have.
+    /// `bindVertices` binds what the vertices of these triangles have.
     template <typename Bind>
-    [[nodiscard]] Uploaded upload(const std::vector<uvec3>& triangles, const Bind& bind) const;
+    [[nodiscard]] Uploaded upload(const std::vector<uvec3>& triangles, const Bind& bindVertices) const;
 
     const scene::Mesh* mesh_;
     const MeshBuffers* buffers_;

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "techniques/foundation/math/morton.h"
 #include "techniques/foundation/trace/parallel.h"
 
 namespace shadowlab::trace {
@@ -21,14 +22,6 @@ struct Batch {
 };
 
 ivec2 blockOf(ivec2 pixel) { return pixel / kSide; }
-
-/// The place of a block on Morton's curve (1966), along which what is near is mostly near in the picture: the bits of x and y in turn.
-std::uint64_t alongCurve(ivec2 block) {
-    std::uint64_t code = 0;
-    for (int bit = 0; bit < 16; ++bit)
-        code |= (static_cast<std::uint64_t>(block.x >> bit & 1) | static_cast<std::uint64_t>(block.y >> bit & 1) << 1) << 2 * bit;
-    return code;
-}
 
 std::vector<Batch> batchesOf(std::span<const ivec2> pixels) {
     std::vector<Batch> batches;
@@ -88,7 +81,7 @@ std::vector<Visibility> PixelRays::visibilities(std::span<const ivec2> pixels, c
     const EyeRays rays = tracer.eyeRays(camera, pictureSize);
     std::vector<Batch> batches = batchesOf(pixels); // of one block each, so that no two threads find the same points
     // Few pixels of a block are asked for, and its shadow rays alone would not fill a bundle: those of near blocks are traced together.
-    std::ranges::sort(batches, {}, [&](const Batch& batch) { return alongCurve(blockOf(pixels[batch.first])); });
+    std::ranges::sort(batches, {}, [&](const Batch& batch) { return alongMortonCurve(blockOf(pixels[batch.first]), 16); });
     std::size_t placed = 0;
     for (Batch& batch : batches)
         batch.place = std::exchange(placed, placed + batch.count);

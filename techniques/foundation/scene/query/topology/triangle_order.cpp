@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "techniques/foundation/math/morton.h"
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::scene {
@@ -24,17 +25,8 @@ constexpr std::size_t kFewest = 4000;
 // by so much: leaves that share no corner need 3 in any order.
 constexpr double kBad = 1.25, kBetter = 0.8;
 
-// Of a place along each axis: a thousandth of the mesh's longest side. 3 * 10 bits fit into a word.
+// Of a place along each axis: a thousandth of the mesh's longest side.
 constexpr int kBits = 10;
-
-/// The place on Morton's curve (1966), along which what is near is mostly near in space: the bits of x, y and z in turn.
-std::uint32_t alongCurve(const uvec3& place) {
-    std::uint32_t code = 0;
-    for (int bit = 0; bit < kBits; ++bit)
-        for (int axis = 0; axis < 3; ++axis)
-            code |= (place[axis] >> bit & 1u) << (3 * bit + axis);
-    return code;
-}
 
 template <typename T>
 std::vector<T> inOrder(const std::vector<T>& values, std::span<const std::uint32_t> order) {
@@ -65,8 +57,8 @@ void numberByFirstUse(Mesh& mesh) {
     if (!mesh.colors.empty()) mesh.colors = inOrder(mesh.colors, order);
 }
 
-/// Of each triangle.
-std::vector<std::uint32_t> placesAlongCurve(const Mesh& mesh) {
+/// Of each triangle, along Morton's curve.
+std::vector<std::uint64_t> placesAlongCurve(const Mesh& mesh) {
     vec3 lower(std::numeric_limits<float>::max()), upper(std::numeric_limits<float>::lowest());
     for (const vec3& position : mesh.positionsMesh) {
         lower = glm::min(lower, position);
@@ -74,15 +66,15 @@ std::vector<std::uint32_t> placesAlongCurve(const Mesh& mesh) {
     }
     const vec3 extent = upper - lower;
     const float side = std::max({extent.x, extent.y, extent.z}), steps = static_cast<float>((1 << kBits) - 1);
-    std::vector<std::uint32_t> codes;
-    codes.reserve(mesh.triangles.size());
+    std::vector<std::uint64_t> places;
+    places.reserve(mesh.triangles.size());
     for (const uvec3& corners : mesh.triangles) {
         vec3 sum(0);
         for (int i = 0; i < 3; ++i)
             sum += (mesh.positionsMesh[corners[i]] - lower) / side; // a triangle with an area: the side is not 0
-        codes.push_back(alongCurve(uvec3(glm::clamp(sum / 3.0f * steps, 0.0f, steps))));
+        places.push_back(alongMortonCurve(glm::ivec3(glm::clamp(sum / 3.0f * steps, 0.0f, steps)), kBits));
     }
-    return codes;
+    return places;
 }
 
 } // namespace
@@ -104,12 +96,12 @@ void keepNeighboursTogether(Mesh& mesh) {
     const std::vector<uvec3> welded = weldedTriangles(mesh);
     const double before = transformedPerTriangle(welded);
     if (before < kBad) return;
-    const std::vector<std::uint32_t> codes = placesAlongCurve(mesh);
+    const std::vector<std::uint64_t> places = placesAlongCurve(mesh);
     std::vector<std::uint32_t> order(mesh.triangles.size());
     std::iota(order.begin(), order.end(), 0u);
     for (const MeshPart& part : mesh.parts) {
         const auto first = order.begin() + part.firstTriangle;
-        std::ranges::stable_sort(first, first + part.triangleCount, {}, [&](std::uint32_t triangle) { return codes[triangle]; });
+        std::ranges::stable_sort(first, first + part.triangleCount, {}, [&](std::uint32_t triangle) { return places[triangle]; });
     }
     if (transformedPerTriangle(inOrder(welded, order)) > kBetter * before) return;
     mesh.triangles = inOrder(mesh.triangles, order);
