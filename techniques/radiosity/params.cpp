@@ -42,6 +42,10 @@ params::ParamList describe(RadiosityParams& p) {
             {"patches", "Number of patches"}, p.patches, 6, kMostPatches, "patches",
             "At most so many, as far as the scene's faces allow; time and memory grow with the square. Meshes that "
             "would need more than six tenths of them are simplified for the exchange of light."),
+        inGroup(kPatchesGroup,
+                params::boolean({"importance", "Finer where it matters to the eye"}, p.importance,
+                                "Where the light that surfaces send hardly comes to what the eye sees, as in other rooms, patches are up to eight times as "
+                                "long, so that more are left for the rest. They are then cut anew where the eye moves far.")),
         inGroup(params::kTeachingSwitches,
                 params::boolean(
                     {"cut-at-contacts", "Cut patches at contacts"}, p.cutAtContacts,

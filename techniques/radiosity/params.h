@@ -11,6 +11,7 @@ namespace shadowlab::radiosity {
 struct RadiosityParams {
     // What form factors depend on.
     int patches = 600;
+    bool importance = true; ///< to the picture
     bool cutAtContacts = true;
     int refine = 0; ///< rounds
     double refineThreshold = 0.05;

@@ -40,7 +40,7 @@ bool shinesInto(const scene::Light& light, const scene::Bounds& box) {
 
 } // namespace
 
-void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& params) {
+void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& params, const std::optional<Eye>& eye) {
     snapshot_ = snapshot;
     const scene::Revisions& now = snapshot->revisions;
     if (bounds_.empty() || boundsRevisions_.geometry != now.geometry || boundsRevisions_.transforms != now.transforms)
@@ -89,12 +89,19 @@ void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& p
     drawn_.reset();
     exchange_.reset();
     cells_.reset();
-    room_ = std::make_unique<Room>(*roomSnapshot_, key_.settings);
-    ++version_;
+    room_ = std::make_unique<Room>(*roomSnapshot_, key_.settings, eye);
+    lastEye_.reset();
+    version_ = scene::newRevision();
 }
 
-bool RoomCache::advance(const scene::Snapshot& snapshot, const RadiosityParams& params, Deadline deadline) {
-    if (snapshot != snapshot_ || params != params_) update(snapshot, params);
+bool RoomCache::isCutFor(const std::optional<Eye>& eye) {
+    if (!lastEye_ || *lastEye_ != eye) isCutForLastEye_ = room_->importance().cutsLike(room_->importanceTo(eye));
+    lastEye_.emplace(eye);
+    return isCutForLastEye_;
+}
+
+bool RoomCache::advance(const scene::Snapshot& snapshot, const RadiosityParams& params, Deadline deadline, const std::optional<Eye>& eye) {
+    if (snapshot != snapshot_ || params != params_) update(snapshot, params, eye);
     params_ = params;
     deadline = std::max(deadline, std::chrono::steady_clock::now() + kLeastWork);
     if (!room_->advance(deadline)) return false;
@@ -186,7 +193,7 @@ void RoomCache::use(const FoundFormFactors& found) {
     exchange_ = preparedExchange(found.matrix, room_->patches(), room_->surroundings(), isScaled_);
     exchange_->counts = found.counts;
     exchange_->rowDeviations = found.rowDeviations;
-    ++version_;
+    version_ = scene::newRevision();
 }
 
 void RoomCache::setDrawnFormFactors(ExchangeMatrix found, int hemicubeSide) {

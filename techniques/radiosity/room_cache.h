@@ -25,12 +25,15 @@ class RoomCache {
 public:
     /// Recomputes what has changed in the scene and the settings, until it is done (true) or the deadline has passed, but always
     /// does some work. Form factors by hemicubes are left to the caller, who has the GL context.
-    bool advance(const scene::Snapshot& snapshot, const RadiosityParams& params, Deadline deadline);
+    /// `eye`: for which a new room is cut; one that is kept stays as it is cut.
+    bool advance(const scene::Snapshot& snapshot, const RadiosityParams& params, Deadline deadline, const std::optional<Eye>& eye = {});
     [[nodiscard]] double done() const;
 
     // The functions below may be called once advance() has returned true.
 
     [[nodiscard]] const Room& room() const { return *room_; }
+    /// Would a new room be cut like this one?
+    [[nodiscard]] bool isCutFor(const std::optional<Eye>& eye);
     /// False: they must be drawn (hemicube_exchange.h) and set by setDrawnFormFactors().
     [[nodiscard]] bool hasFormFactors() const { return exchange_.has_value(); }
     void setDrawnFormFactors(ExchangeMatrix found, int hemicubeSide);
@@ -66,7 +69,7 @@ private:
         std::optional<DirectLight> found;
         std::unique_ptr<DirectLightBuilder> builder;
     };
-    void update(const scene::Snapshot& snapshot, const RadiosityParams& params);
+    void update(const scene::Snapshot& snapshot, const RadiosityParams& params, const std::optional<Eye>& eye);
     bool refineOnce();
     bool findFormFactors(const RadiosityParams& params, Deadline deadline);
     bool advanceLights(Deadline deadline);
@@ -77,6 +80,8 @@ private:
     RoomCacheKey key_;
     RadiosityParams params_;
     std::unique_ptr<Room> room_;
+    std::optional<std::optional<Eye>> lastEye_; ///< that isCutFor() was asked for, since there is this room
+    bool isCutForLastEye_ = false;
     // Form factors before scaling: there is more than one way to use them.
     struct FoundFormFactors {
         ExchangeMatrix matrix;

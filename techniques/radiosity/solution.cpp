@@ -19,8 +19,8 @@ dvec3 radianceOutside(const scene::Scene& scene, const RadiosityParams& params) 
                                                    : vec3(0.0f));
 }
 
-bool Solution::advanceRoom(const scene::Snapshot& snapshot, const RadiosityParams& params, Deadline deadline) {
-    const bool isDone = cache_.advance(snapshot, params, deadline);
+bool Solution::advanceRoom(const scene::Snapshot& snapshot, const RadiosityParams& params, Deadline deadline, const std::optional<Eye>& eye) {
+    const bool isDone = cache_.advance(snapshot, params, deadline, eye);
     if (!isDone) done_ = cache_.done();
     return isDone;
 }

@@ -20,8 +20,10 @@ class Solution {
 public:
     // To be called in this order. Each goes on until it is done (true) or the deadline has passed.
 
-    /// Patches, and their form factors unless they are to be drawn.
-    bool advanceRoom(const scene::Snapshot& snapshot, const RadiosityParams& params, Deadline deadline);
+    /// Patches, and their form factors unless they are to be drawn. `eye`: for which patches are cut where they are cut anew; nothing: for none.
+    bool advanceRoom(const scene::Snapshot& snapshot, const RadiosityParams& params, Deadline deadline, const std::optional<Eye>& eye = {});
+    /// Would they be cut alike for this eye? After advanceRoom() has returned true.
+    [[nodiscard]] bool isCutFor(const std::optional<Eye>& eye) { return cache_.isCutFor(eye); }
     /// Form factors by hemicubes. Needs the graphics card.
     bool advanceDrawnFormFactors(const RadiosityParams& params, Deadline deadline);
     /// Puts sources into the equations, if they are others than before.

@@ -7,7 +7,8 @@
 // 3. Point, spot and other lights shine on the patches once (direct_light.h).
 // 4. Every patch reflects what it receives from all others: a system of equations (problem.h), solved in one of six ways with a
 //    bound of the error (solvers.h).
-// 5. The solution does not depend on the eye. A picture interpolates it between patches (display/).
+// 5. The solution does not depend on the eye; that only has a say in how large patches are (room/importance.h). A picture interpolates it between
+//    patches (display/).
 // 6. Direct light, whose shadows have edges, is found anew for each pixel (lights/pixel_light.h); patches keep what is reflected.
 // Simplified on purpose: every surface is a Lambertian reflector, so mirrors, glass and highlights look dull; holes of alpha maps let
 // no light through; meshes of many triangles exchange light as coarser ones.
@@ -37,7 +38,7 @@ public:
 
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
         if (params_.showsPixels()) return {}; // direct light can be drawn before there are patches
-        if (!solution_.advanceRoom(snapshot, params_, deadline)) return {solution_.done(), false};
+        if (!solution_->advanceRoom(snapshot, params_, deadline)) return {solution_->done(), false};
         return {};
     }
 
@@ -46,24 +47,26 @@ public:
         std::optional<DirectShown> found = params_.showsPixels() ? advanceDirect(frame, frame.deadline()) : std::nullopt;
         const bool hasShownPatches = uploadedRoom_ != 0;
         if (const bool isFirst = !found || found->isFirst; isFirst && params_.showsPixels() && !hasShownPatches)
-            return drawBeforehand(frame, found, solution_.done());
-        if (!solution_.advanceRoom(frame.snapshot(), params_, frame.deadline()) || !solution_.advanceDrawnFormFactors(params_, frame.deadline()))
-            return drawBeforehand(frame, found, solution_.done());
-        if (uploadedRoom_ != solution_.cache().version()) picture_.setCells(solution_.cache().cells());
-        uploadedRoom_ = solution_.cache().version();
-        solution_.restartIfChanged(frame.snapshot(), params_);
+            return drawBeforehand(frame, found, solution_->done());
+        const std::optional<Eye> eye = eyeOf(frame.view());
+        if (!solution_->advanceRoom(frame.snapshot(), params_, frame.deadline(), eye) || !solution_->advanceDrawnFormFactors(params_, frame.deadline()))
+            return drawBeforehand(frame, found, solution_->done());
+        const bool isCutForEye = advanceCut(frame.snapshot(), eye, frame.deadline());
+        if (uploadedRoom_ != solution_->cache().version()) picture_.setCells(solution_->cache().cells());
+        uploadedRoom_ = solution_->cache().version();
+        solution_->restartIfChanged(frame.snapshot(), params_);
         const Deadline deadline = std::max(frame.deadline(), std::chrono::steady_clock::now() + kLeastWork);
-        const bool isSolved = solution_.advanceSolver(params_, static_cast<std::size_t>(params_.stepsPerPicture), deadline);
+        const bool isSolved = solution_->advanceSolver(params_, static_cast<std::size_t>(params_.stepsPerPicture), deadline);
         if (!found || found->isPreview) found = advanceDirect(frame, deadline);
         const DirectShown direct = found.value_or(DirectShown()); // until then that of the patches
         const bool isDirectComplete = found && !found->isPreview;
-        const bool mayGather = params_.gathers() && isSolved && isDirectComplete;
+        const bool mayGather = params_.gathers() && isCutForEye && isSolved && isDirectComplete;
         const bool isGathered = mayGather ? advanceGather(frame, deadline) : !params_.gathers();
-        const bool isFinished = isSolved && isDirectComplete && isGathered;
+        const bool isFinished = isCutForEye && isSolved && isDirectComplete && isGathered;
         if (!isFinished && !isNew(frame, direct, mayGather)) return {0.95, false};
-        Showing showing{frame, solution_.cache(), solution_.sources(), solution_.balance(), picture_, params_, std::nullopt};
+        Showing showing{frame, solution_->cache(), solution_->sources(), solution_->balance(), picture_, params_, std::nullopt};
         if (isSolved) {
-            showing.patchError = patchError_.share(solution_.cache(), solution_.sources(), solution_.balance(), params_.showsPixels(),
+            showing.patchError = patchError_.share(solution_->cache(), solution_->sources(), solution_->balance(), params_.showsPixels(),
                                                    frame.view().camera.positionWorld);
             showing.caughtByLamps = shareCaughtByLamps(frame.scene().lights);
         }
@@ -112,6 +115,22 @@ private:
         friend bool operator==(const DrawnCacheKey&, const DrawnCacheKey&) = default;
     };
 
+    [[nodiscard]] std::optional<Eye> eyeOf(const View& view) const {
+        return params_.importance ? std::optional(Eye{view.camera, view.size}) : std::nullopt;
+    }
+
+    /// Are patches cut for this eye? If not, others are prepared, and the picture shows the ones before until they are.
+    bool advanceCut(const scene::Snapshot& snapshot, const std::optional<Eye>& eye, Deadline deadline) {
+        if (solution_->isCutFor(eye)) {
+            next_.reset();
+            return true;
+        }
+        if (!next_) next_ = std::make_unique<Solution>();
+        if (!next_->advanceRoom(snapshot, params_, deadline, eye) || !next_->advanceDrawnFormFactors(params_, deadline)) return false;
+        solution_ = std::move(next_);
+        return solution_->isCutFor(eye); // the eye may have moved meanwhile
+    }
+
     /// A picture for as long as form factors are still being found: the scene's ambient light, as an estimate of all that is reflected,
     /// and direct light, once the pixels have it.
     Progress drawBeforehand(Frame& frame, const std::optional<DirectShown>& found, double done) {
@@ -137,7 +156,7 @@ private:
             return DirectShown{&pixels_, nullptr, !isComplete, pixels_.hasNewBlocks()};
         }
         if (params_.direct == RadiosityParams::Direct::lightMap) {
-            if (!lightMap_.advance(frame.snapshot(), solution_.cache(), static_cast<std::size_t>(params_.lightMapPoints), deadline))
+            if (!lightMap_.advance(frame.snapshot(), solution_->cache(), static_cast<std::size_t>(params_.lightMapPoints), deadline))
                 return std::nullopt;
             return DirectShown{nullptr, &lightMap_, false};
         }
@@ -151,7 +170,7 @@ private:
                           trace::SeenFrom(frame.scene(), view.camera, view.size),
                           view.region,
                           uploadedRoom_,
-                          solution_.balance().version(),
+                          solution_->balance().version(),
                           direct.map ? lightMap_.version() : 0,
                           pixels_.version(),
                           direct.pixels != nullptr,
@@ -185,24 +204,24 @@ private:
     /// Emission, and what of the first `lights` lights is reflected once. Seen only where the frame stops after this pass.
     void drawLitBy(const Showing& showing, int lights) const {
         if (!showing.frame.stopsAfter()) return;
-        std::vector<dvec3> radiosity = solution_.sources().emission;
+        std::vector<dvec3> radiosity = solution_->sources().emission;
         for (int light = 0; light < lights; ++light)
             for (std::size_t i = 0; i < radiosity.size(); ++i)
-                radiosity[i] += solution_.sources().reflectance[i] * solution_.cache().light(light).irradiance[i];
+                radiosity[i] += solution_->sources().reflectance[i] * solution_->cache().light(light).irradiance[i];
         showing.draw(radiosity, false);
     }
 
     /// Kept while the solution stays.
     double shareCaughtByLamps(std::span<const scene::Light> lights) {
-        const Room& room = solution_.cache().room();
-        const std::uint64_t version = solution_.balance().version();
-        if (caught_.first != version) caught_ = {version, caughtByLamps(room.patches(), solution_.balance().radiosity(), lights, room.world().originWorld)};
+        const Room& room = solution_->cache().room();
+        const std::uint64_t version = solution_->balance().version();
+        if (caught_.first != version) caught_ = {version, caughtByLamps(room.patches(), solution_->balance().radiosity(), lights, room.world().originWorld)};
         return caught_.second;
     }
 
     /// One value per patch. Pass `display` draws over it, unless the frame stops here.
     void drawSolution(const Showing& showing) const {
-        if (showing.frame.stopsAfter() || params_.isFlat()) showing.draw(solution_.balance().radiosity(), false);
+        if (showing.frame.stopsAfter() || params_.isFlat()) showing.draw(solution_->balance().radiosity(), false);
     }
 
     /// True when all rays are sent, or the frame stops before what they gather is shown.
@@ -210,17 +229,17 @@ private:
         if (frame.stopsAfter() && frame.stopsAfter()->id != "display" && frame.stopsAfter()->id != "direct") return true;
         static const Openings kNone;
         const dvec3 outside = radianceOutside(*frame.snapshot(), params_);
-        std::vector<dvec3> reflected = solution_.balance().irradianceShown();
-        const bool asksOpenings = solution_.openings().bringMuch(outside, solution_.cache().room().patches(), reflected);
+        std::vector<dvec3> reflected = solution_->balance().irradianceShown();
+        const bool asksOpenings = solution_->openings().bringMuch(outside, solution_->cache().room().patches(), reflected);
         for (std::size_t i = 0; i < reflected.size(); ++i)
-            reflected[i] -= solution_.sources().fromLights[i];
-        const GatherSolution solution{.cache = solution_.cache(),
-                                      .sources = solution_.sources(),
-                                      .emitters = solution_.emitters(),
-                                      .openings = asksOpenings ? solution_.openings() : kNone,
+            reflected[i] -= solution_->sources().fromLights[i];
+        const GatherSolution solution{.cache = solution_->cache(),
+                                      .sources = solution_->sources(),
+                                      .emitters = solution_->emitters(),
+                                      .openings = asksOpenings ? solution_->openings() : kNone,
                                       .reflectedIrradiance = reflected,
                                       .outside = outside,
-                                      .version = solution_.balance().version()};
+                                      .version = solution_->balance().version()};
         const auto rays = static_cast<std::size_t>(params_.gatherSamples);
         if (params_.gather == RadiosityParams::Gather::pixels) return pixels_.advanceGather(solution, rays, deadline);
         return pixels_.advanceSharedGather(solution, rays, deadline);
@@ -234,7 +253,7 @@ private:
 
     /// The irradiance stays on the graphics card while only the eye moves.
     void drawSmooth(const Showing& showing, const DirectShown& direct) {
-        const ShownCacheKey key{solution_.balance().version(), direct.map ? lightMap_.version() : 0, !direct.pixels};
+        const ShownCacheKey key{solution_->balance().version(), direct.map ? lightMap_.version() : 0, !direct.pixels};
         if (!shown_ || shownKey_ != key) shown_ = showing.shown(direct);
         shownKey_ = key;
         showing.drawSmooth(*shown_);
@@ -245,7 +264,8 @@ private:
 
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     RadiosityParams params_;
-    Solution solution_;
+    std::unique_ptr<Solution> solution_ = std::make_unique<Solution>();
+    std::unique_ptr<Solution> next_; ///< none: the patches are cut for the eye
     PatchError patchError_;
     std::pair<std::uint64_t, double> caught_{0, 0.0}; ///< the solution's version, and the share of its light that would meet lamps
     LightMap lightMap_;
@@ -259,21 +279,25 @@ private:
 
 Probe Radiosity::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
     Probe probe = Technique::probe(snapshot, view, pixel, light);
-    solution_.advanceRoom(snapshot, params_, Deadline::max());
+    const std::optional<Eye> eye = eyeOf(view);
+    solution_->advanceRoom(snapshot, params_, Deadline::max(), eye);
+    if (params_.formFactors == RadiosityParams::FormFactors::analytic) // else they are drawn, with a picture
+        while (!advanceCut(snapshot, eye, Deadline::max())) {
+        }
     if (!exactJudge(snapshot)->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size)) return probe;
-    if (!solution_.cache().hasFormFactors()) {
+    if (!solution_->cache().hasFormFactors()) {
         probe.facts.push_back(
             {"form factors", "drawn with the first picture; known without one with form-factors=analytic", ""});
         return probe;
     }
-    solution_.restartIfChanged(snapshot, params_);
-    if (params_.stepsPerPicture == 0) solution_.advanceSolver(params_, 0, Deadline::max());
-    const auto patch = patchSeen(solution_.cache(), snapshot, view, pixel);
+    solution_->restartIfChanged(snapshot, params_);
+    if (params_.stepsPerPicture == 0) solution_->advanceSolver(params_, 0, Deadline::max());
+    const auto patch = patchSeen(solution_->cache(), snapshot, view, pixel);
     if (!patch) {
         probe.facts.push_back({"patch", "none: a light, or the inside of a closed body", ""});
         return probe;
     }
-    describePatch(solution_.cache(), solution_.sources(), solution_.balance(), *patch, light, partnerOf(*patch, snapshot, view), probe);
+    describePatch(solution_->cache(), solution_->sources(), solution_->balance(), *patch, light, partnerOf(*patch, snapshot, view), probe);
     if (view.partner && !probe.find<PatchExchange>()->k)
         probe.facts.push_back(
             {"k: the other patch", "none: the second pixel shows no other patch to exchange light with", ""});
@@ -283,9 +307,9 @@ Probe Radiosity::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
 /// The patch that the second pixel shows; without one, parameter `to-patch`, or the patch that sends the most light.
 std::optional<std::uint32_t> Radiosity::partnerOf(std::uint32_t patch, const scene::Snapshot& snapshot,
                                                   const View& view) const {
-    if (view.partner) return patchSeen(solution_.cache(), snapshot, view, *view.partner);
+    if (view.partner) return patchSeen(solution_->cache(), snapshot, view, *view.partner);
     if (params_.toPatch >= 0) return static_cast<std::uint32_t>(params_.toPatch);
-    return patch < solution_.cache().room().patches().size() ? brightestGiver(solution_.cache(), solution_.balance(), patch) : std::nullopt;
+    return patch < solution_->cache().room().patches().size() ? brightestGiver(solution_->cache(), solution_->balance(), patch) : std::nullopt;
 }
 
 std::string Radiosity::remark(const scene::MeshReport& report, const scene::Mesh& mesh) const {

@@ -5,6 +5,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "techniques/foundation/scene/model/scene.h"
 #include "techniques/radiosity/equations/gather.h"
 
 namespace shadowlab::radiosity {
@@ -83,7 +84,7 @@ const EnergyBalance& LightBalance::energy() const {
 }
 
 void LightBalance::show() {
-    ++version_;
+    version_ = scene::newRevision();
     energy_.reset();
     radiosity_.clear();
     if (solver_) radiosity_ = showsEstimate_ ? solver_->shown() : solver_->radiosity();

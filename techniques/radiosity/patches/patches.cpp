@@ -114,11 +114,19 @@ void cutGround(const Patch& piece, const Ground& ground, double size, const Visi
         cutGround(pieceOf(piece, part), ground, size, visit);
 }
 
-Patch wholePatch(const Face& face, std::uint32_t number) {
-    return {face.polygon, face.plane.normal, centroid(face.polygon), glm::length(areaVector(face.polygon)), number};
+/// Calls visit(polygon, size) for each part of a face that is cut evenly.
+template <typename Visit>
+void visitParts(const Faces& faces, std::uint32_t face, const FaceParts& parts, double size, const Visit& visit) {
+    if (face >= parts.size() || parts[face].empty()) return visit(faces.all[face].polygon, size);
+    for (const FacePart& part : parts[face])
+        visit(part.polygon, std::ldexp(size, part.doublings));
 }
 
 } // namespace
+
+Patch wholePatch(const Face& face, std::uint32_t number) {
+    return {face.polygon, face.plane.normal, centroid(face.polygon), glm::length(areaVector(face.polygon)), number};
+}
 
 std::vector<Polygon> dividedPatch(const Patch& patch) {
     std::vector<Polygon> pieces = partsOf(patch);
@@ -130,22 +138,25 @@ Patch pieceOf(const Patch& patch, const Polygon& polygon) {
     return {polygon, patch.normal, centroid(polygon), glm::length(areaVector(polygon)), patch.face};
 }
 
-std::vector<Patch> cutIntoPatches(const Faces& faces, double size, const Ground& ground) {
+std::vector<Patch> cutIntoPatches(const Faces& faces, double size, const Ground& ground, const FaceParts& parts) {
     std::vector<Patch> patches;
     for (std::uint32_t f = 0; f < faces.all.size(); ++f) {
-        const Polygon& polygon = faces.all[f].polygon;
-        const Cuts cuts = cutsOf(polygon, size);
-        if (ground.holds(f))
+        if (ground.holds(f)) {
             cutGround(wholePatch(faces.all[f], f), ground, size, [&](const Patch& patch) { addPatch(patch.polygon, f, patches); });
-        else if (polygon.count() == 4)
-            cutQuad(polygon, cuts, f, patches);
-        else
-            cutTriangle(polygon, cuts.u, f, patches);
+            continue;
+        }
+        visitParts(faces, f, parts, size, [&](const Polygon& polygon, double sizeOfPart) {
+            const Cuts cuts = cutsOf(polygon, sizeOfPart);
+            if (polygon.count() == 4)
+                cutQuad(polygon, cuts, f, patches);
+            else
+                cutTriangle(polygon, cuts.u, f, patches);
+        });
     }
     return patches;
 }
 
-double sizeForBudget(const Faces& faces, std::size_t most, const Ground& ground) {
+double sizeForBudget(const Faces& faces, std::size_t most, const Ground& ground, const FaceParts& parts) {
     double longest = 0;
     for (const Face& face : faces.all)
         longest = std::max(longest, longestEdge(face.polygon));
@@ -155,7 +166,8 @@ double sizeForBudget(const Faces& faces, std::size_t most, const Ground& ground)
             if (ground.holds(f))
                 cutGround(wholePatch(faces.all[f], f), ground, size, [&](const Patch&) { ++count; });
             else
-                count += countOf(cutsOf(faces.all[f].polygon, size));
+                visitParts(faces, f, parts, size,
+                           [&](const Polygon& polygon, double sizeOfPart) { count += countOf(cutsOf(polygon, sizeOfPart)); });
             if (count > most) return false;
         }
         return true;

@@ -16,6 +16,16 @@ struct Patch {
     [[nodiscard]] Plane plane() const { return {centre, normal}; }
 };
 
+/// A part of a face that is cut evenly: with edges as long as elsewhere, doubled so often.
+struct FacePart {
+    Polygon polygon;
+    int doublings = 0;
+};
+/// Of each face; where there are none, or no such face, it is cut as a whole.
+using FaceParts = std::vector<std::vector<FacePart>>;
+
+/// All of a face.
+Patch wholePatch(const Face& face, std::uint32_t number);
 /// The part of a patch inside the polygon.
 Patch pieceOf(const Patch& patch, const Polygon& polygon);
 
@@ -23,12 +33,12 @@ Patch pieceOf(const Patch& patch, const Polygon& polygon);
 /// centre, along the longest edge and perpendicular to it. The patch itself if a piece would be too small to have an area.
 std::vector<Polygon> dividedPatch(const Patch& patch);
 
-/// Cuts faces such that no edge of a patch is longer than `size` metres, of a ground longer than is right there. Quads become grids of
-/// quads, triangles become triangles of their own shape.
-std::vector<Patch> cutIntoPatches(const Faces& faces, double size, const Ground& ground = {});
+/// Cuts faces such that no edge of a patch is longer than `size` metres, of a ground and of parts that may be coarser longer than is right there.
+/// Quads become grids of quads, triangles become triangles of their own shape.
+std::vector<Patch> cutIntoPatches(const Faces& faces, double size, const Ground& ground = {}, const FaceParts& parts = {});
 
 /// The smallest size that leaves at most `most` patches (or one per face), among the longest edge times 2^(-k/16), k = 0, 1, 2
 /// ...
-double sizeForBudget(const Faces& faces, std::size_t most, const Ground& ground = {});
+double sizeForBudget(const Faces& faces, std::size_t most, const Ground& ground = {}, const FaceParts& parts = {});
 
 } // namespace shadowlab::radiosity

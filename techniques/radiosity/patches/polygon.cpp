@@ -29,6 +29,14 @@ dvec3 centroid(const Polygon& polygon) {
 
 Plane planeOf(const Polygon& polygon) { return {centroid(polygon), glm::normalize(areaVector(polygon))}; }
 
+bool holds(const Polygon& polygon, const dvec3& point, const dvec3& normal) {
+    for (std::size_t i = 0; i < polygon.count(); ++i) {
+        const dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.count()];
+        if (glm::dot(glm::cross(b - a, point - a), normal) < 0) return false;
+    }
+    return true;
+}
+
 trace::CentredBox boxOf(const Polygon& polygon) {
     trace::CentredBox box;
     for (const dvec3& corner : polygon.corners())

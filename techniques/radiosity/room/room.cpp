@@ -7,6 +7,7 @@
 #include "techniques/foundation/trace/bvh/bvh_build.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/radiosity/patches/contacts.h"
+#include "techniques/radiosity/patches/polygon_samples.h"
 #include "techniques/radiosity/room/patch_memory.h"
 #include "techniques/radiosity/room/sample_hemisphere.h"
 
@@ -46,19 +47,10 @@ std::vector<std::vector<std::uint32_t>> sidesOver(const Sides& sides, const scen
     return over;
 }
 
-/// Is the point, which lies in the plane of the convex polygon, within it?
-bool holds(const Polygon& polygon, const dvec3& point, const dvec3& normal) {
-    for (std::size_t i = 0; i < polygon.count(); ++i) {
-        const dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.count()];
-        if (glm::dot(glm::cross(b - a, point - a), normal) < 0) return false;
-    }
-    return true;
-}
-
 } // namespace
 
-Room::Room(const scene::Scene& scene, RoomSettings settings)
-    : scene_(scene), settings_(std::move(settings)),
+Room::Room(const scene::Scene& scene, RoomSettings settings, std::optional<Eye> eye)
+    : scene_(scene), settings_(std::move(settings)), eye_(std::move(eye)),
       mostSides_(static_cast<std::size_t>(kShareOfSides * static_cast<double>(settings_.patches))) {}
 
 bool Room::advance(std::chrono::steady_clock::time_point deadline) {
@@ -114,6 +106,8 @@ void Room::cut() {
     for (std::size_t i = 0; i < sides_.faces.all.size(); ++i)
         (i < sides_.exchanging ? exchangingFaces_ : loose).all.push_back(sides_.faces.all[i]);
     requireMemory(scene_, exchangingFaces_.all.size()); // each is at least one patch, and more where they touch
+    ground_ = settings_.coarsensGround ? Ground(exchangingFaces_) : Ground();
+    importance_ = importanceTo(eye_);
     const double size = cutWithinBudget();
     requireMemory(scene_, patches_.size());
     // Loose sides may be very large compared with the rest of the scene (the underside of a ground plane), so they may be cut
@@ -127,6 +121,8 @@ void Room::cut() {
     folded_.resize(patches_.size());
 }
 
+Importance Room::importanceTo(const std::optional<Eye>& eye) const { return eye ? Importance(tracer_, sides_, ground_, *eye) : Importance(); }
+
 /// True: the patches exceed the budget, and the scene has meshes that can be simplified further.
 bool Room::simplifiesFurther() {
     const std::size_t count = patches_.size();
@@ -137,18 +133,46 @@ bool Room::simplifiesFurther() {
 }
 
 double Room::cutWithinBudget() {
-    const Ground ground = settings_.coarsensGround ? Ground(exchangingFaces_) : Ground();
-    // Contacts add patches, and how many is known only after cutting: the budget is reduced by the excess, a few times.
-    constexpr int kTries = 6;
-    std::size_t budget = settings_.patches;
-    for (int i = 0;; ++i) {
-        const double size = sizeForBudget(exchangingFaces_, budget, ground);
-        patches_ = cutIntoPatches(exchangingFaces_, size, ground);
-        if (settings_.cutsAtContacts) patches_ = cutAtContacts(exchangingFaces_, std::move(patches_));
-        const std::size_t count = patches_.size();
-        if (count <= settings_.patches || budget == 0 || i == kTries) return size;
-        budget = std::min(budget - 1, budget * settings_.patches / count);
+    // How many patches contacts add, and how many are covered, is known only after cutting: the number of pieces is then corrected, a few times.
+    constexpr int kTries = 6, kMostPerPatch = 8;
+    constexpr double kFilled = 0.85; // of the budget: sizes go in steps, and a step is up to an eighth of all patches
+    const std::size_t most = settings_.patches;
+    Cut best;
+    std::size_t pieces = most, tooMany = kMostPerPatch * most;
+    for (int i = 0; i <= kTries; ++i) {
+        Cut cut = cutInto(pieces);
+        const std::size_t count = cut.patches.size(), ofBest = best.patches.size();
+        const bool fits = count <= most;
+        if (i == 0 || (fits ? ofBest > most || count > ofBest : count < ofBest)) best = std::move(cut);
+        if (count == 0 || pieces == 0 || (fits && static_cast<double>(count) >= kFilled * static_cast<double>(most))) break;
+        if (!fits) tooMany = std::min(tooMany, pieces);
+        const std::size_t wanted = pieces * most / count;
+        const std::size_t next = !fits ? std::min(pieces - 1, wanted) : wanted < tooMany ? wanted : (pieces + tooMany) / 2;
+        if (next == pieces) break;
+        pieces = next;
     }
+    patches_ = std::move(best.patches);
+    coveredPatches_ = best.covered;
+    return best.size;
+}
+
+/// Into about so many pieces, before contacts divide them.
+Room::Cut Room::cutInto(std::size_t pieces) const {
+    Cut cut{.size = sizeForBudget(exchangingFaces_, pieces, ground_, importance_.parts())};
+    cut.patches = cutIntoPatches(exchangingFaces_, cut.size, ground_, importance_.parts());
+    if (settings_.cutsAtContacts) cut.patches = cutAtContacts(exchangingFaces_, std::move(cut.patches));
+    cut.covered = std::erase_if(cut.patches, [&](const Patch& patch) { return isCovered(patch); });
+    return cut;
+}
+
+/// Do all of some points on it lie in closed bodies?
+bool Room::isCovered(const Patch& patch) const {
+    constexpr int kPoints = 8;
+    for (int i = 0; i < kPoints; ++i) {
+        const auto x = hammersley4(i, kPoints);
+        if (!bodies_->contain(placeIn(patch.polygon, x[0], x[1]).point + 2 * kTouching * sizeOf(patch.polygon) * patch.normal, patch.normal)) return false;
+    }
+    return true;
 }
 
 const std::vector<dvec3>& Room::reflectances() const {

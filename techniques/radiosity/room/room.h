@@ -10,6 +10,7 @@
 #include "techniques/radiosity/form_factors/occlusion.h"
 #include "techniques/radiosity/patches/patches.h"
 #include "techniques/radiosity/patches/winding_number.h"
+#include "techniques/radiosity/room/importance.h"
 #include "techniques/radiosity/room/patch_colors.h"
 #include "techniques/radiosity/room/refinement.h"
 #include "techniques/radiosity/room/sides.h"
@@ -28,8 +29,8 @@ struct RoomSettings {
 
 class Room {
 public:
-    /// `scene` must live until advance() has returned true.
-    Room(const scene::Scene& scene, RoomSettings settings);
+    /// `scene` must live until advance() has returned true. `eye`: what matters to its picture is cut more finely; nothing: all alike.
+    Room(const scene::Scene& scene, RoomSettings settings, std::optional<Eye> eye = {});
     Room(const Room&) = delete; // its members refer to each other
     Room& operator=(const Room&) = delete;
 
@@ -50,6 +51,9 @@ public:
     [[nodiscard]] const std::vector<Patch>& patches() const { return patches_; }
     /// The same, followed by the patches of the loose sides, which exchange no light. Their face numbers are those in sides().
     [[nodiscard]] const std::vector<Patch>& allPatches() const { return allPatches_; }
+    [[nodiscard]] const Importance& importance() const { return importance_; }
+    /// What would matter to another eye.
+    [[nodiscard]] Importance importanceTo(const std::optional<Eye>& eye) const;
     /// The share of the view of each of patches() that is no surface: 0..1.
     [[nodiscard]] const std::vector<double>& surroundings() const { return surroundings_; }
     /// How many patches were left out because they lie under or in a closed body.
@@ -81,10 +85,18 @@ private:
     bool simplifiesFurther();
     void cut();
     double cutWithinBudget();
+    struct Cut {
+        double size = 0; ///< of the longest edges, metres
+        std::vector<Patch> patches;
+        std::size_t covered = 0; ///< how many were left out
+    };
+    [[nodiscard]] Cut cutInto(std::size_t pieces) const;
+    [[nodiscard]] bool isCovered(const Patch& patch) const;
     void leaveOutCovered();
 
     const scene::Scene& scene_;
     RoomSettings settings_;
+    std::optional<Eye> eye_;
     Phase phase_ = Phase::simplify;
     std::size_t mostSides_ = 0; ///< that simplified meshes may have
     int simplifications_ = 0;
@@ -95,6 +107,8 @@ private:
     Faces plain_; ///< the faces that block light
     Sides sides_;
     Faces exchangingFaces_;
+    Ground ground_;
+    Importance importance_;
     std::vector<Patch> patches_, allPatches_;
     std::optional<trace::Bvh> bvh_;
     std::optional<Occlusion> occlusion_;

@@ -49,5 +49,19 @@ TEST(PatchBudget, ManyBodiesBecomeBoxes) {
     }
 }
 
+// What lies under bodies is no patch, so it takes nothing from the budget.
+TEST(PatchBudget, WhatIsCoveredIsNotCounted) {
+    scene::Scene scene = floorScene();
+    for (int i = 0; i < 16; ++i)
+        addObject(scene, scene::makeBox({1.8, 0.5, 1.8}), translation({-3.1 + 2.0 * (i % 4), 0.25, -2.9 + 2.0 * (i / 4)}));
+    for (const std::size_t budget : {300u, 600u, 1500u}) {
+        Room room(scene, {budget, true, std::vector<bool>(scene.objects.size(), false)});
+        ASSERT_TRUE(room.advance(std::chrono::steady_clock::time_point::max()));
+        EXPECT_GT(room.coveredPatches(), budget / 10);
+        EXPECT_LE(room.patches().size(), budget);
+        EXPECT_GT(static_cast<double>(room.patches().size()), 0.8 * static_cast<double>(budget)) << "sizes go in steps";
+    }
+}
+
 } // namespace
 } // namespace shadowlab::radiosity
