@@ -17,8 +17,11 @@ void noteRoom(Frame& frame, const Room& room, int budget) {
     frame.count("patches", static_cast<double>(room.patches().size()), budget, "of the budget");
     if (room.patches().empty())
         frame.note("patches", "none: no side of a surface lies before another that light can reach", look::kLit);
-    if (const double coarse = room.importance().shareOfCoarse(); coarse > 0)
-        frame.note("importance", percent(coarse) + " of the surfaces matter little to the picture: their patches are larger", look::kLit);
+    if (room.usesImportance())
+        frame.note("importance", percent(room.importance().shareOfCoarse()) + " of the surfaces matter little to the picture: their patches are larger",
+                   look::kLit);
+    else if (!room.importance().parts().empty())
+        frame.note("importance", "not used: the budget is too small to divide faces by it", look::kLit);
     if (room.simple().trianglesAfter < room.simple().trianglesBefore)
         frame.note("meshes",
                    "light is exchanged by " + std::to_string(room.simple().trianglesAfter) + " triangles in place of " +

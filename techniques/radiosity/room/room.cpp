@@ -8,6 +8,7 @@
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/radiosity/patches/contacts.h"
 #include "techniques/radiosity/patches/polygon_samples.h"
+#include "techniques/radiosity/room/near_emitters.h"
 #include "techniques/radiosity/room/patch_memory.h"
 #include "techniques/radiosity/room/sample_hemisphere.h"
 
@@ -108,7 +109,7 @@ void Room::cut() {
     requireMemory(scene_, exchangingFaces_.all.size()); // each is at least one patch, and more where they touch
     ground_ = settings_.coarsensGround ? Ground(exchangingFaces_) : Ground();
     importance_ = importanceTo(eye_);
-    const double size = cutWithinBudget();
+    const double size = cutByWhatMatters();
     requireMemory(scene_, patches_.size());
     // Loose sides may be very large compared with the rest of the scene (the underside of a ground plane), so they may be cut
     // more coarsely.
@@ -132,7 +133,25 @@ bool Room::simplifiesFurther() {
     return true;
 }
 
-double Room::cutWithinBudget() {
+double Room::cutByWhatMatters() {
+    // So much of the budget may go into what lies close to emitters, and pieces there may be so many times as large before that is given up.
+    constexpr std::size_t kShareNearEmitters = 3;
+    constexpr double kLargest = 4;
+    // Faces that are divided may be too many for the budget where whole ones are not. Then something has to be left out.
+    double size = 0;
+    const auto fits = [&](const FaceParts& parts) {
+        size = cutWithinBudget(parts);
+        return patches_.size() <= settings_.patches;
+    };
+    for (usesImportance_ = !importance_.parts().empty();; usesImportance_ = false) {
+        const FaceParts parts = usesImportance_ ? importance_.parts() : FaceParts{};
+        for (double scale = 1; settings_.dividesNearEmitters && scale <= kLargest; scale *= 2)
+            if (const auto divided = dividedNearEmitters(parts, tracer_, sides_, scale, settings_.patches / kShareNearEmitters); divided && fits(*divided)) return size;
+        if (fits(parts) || !usesImportance_) return size;
+    }
+}
+
+double Room::cutWithinBudget(const FaceParts& parts) {
     // How many patches contacts add, and how many are covered, is known only after cutting: the number of pieces is then corrected, a few times.
     constexpr int kTries = 6, kMostPerPatch = 8;
     constexpr double kFilled = 0.85; // of the budget: sizes go in steps, and a step is up to an eighth of all patches
@@ -140,7 +159,7 @@ double Room::cutWithinBudget() {
     Cut best;
     std::size_t pieces = most, tooMany = kMostPerPatch * most;
     for (int i = 0; i <= kTries; ++i) {
-        Cut cut = cutInto(pieces);
+        Cut cut = cutInto(pieces, parts);
         const std::size_t count = cut.patches.size(), ofBest = best.patches.size();
         const bool fits = count <= most;
         if (i == 0 || (fits ? ofBest > most || count > ofBest : count < ofBest)) best = std::move(cut);
@@ -157,9 +176,9 @@ double Room::cutWithinBudget() {
 }
 
 /// Into about so many pieces, before contacts divide them.
-Room::Cut Room::cutInto(std::size_t pieces) const {
-    Cut cut{.size = sizeForBudget(exchangingFaces_, pieces, ground_, importance_.parts())};
-    cut.patches = cutIntoPatches(exchangingFaces_, cut.size, ground_, importance_.parts());
+Room::Cut Room::cutInto(std::size_t pieces, const FaceParts& parts) const {
+    Cut cut{.size = sizeForBudget(exchangingFaces_, pieces, ground_, parts)};
+    cut.patches = cutIntoPatches(exchangingFaces_, cut.size, ground_, parts);
     if (settings_.cutsAtContacts) cut.patches = cutAtContacts(exchangingFaces_, std::move(cut.patches));
     cut.covered = std::erase_if(cut.patches, [&](const Patch& patch) { return isCovered(patch); });
     return cut;

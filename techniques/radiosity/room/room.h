@@ -23,6 +23,7 @@ struct RoomSettings {
     bool cutsAtContacts = true;    ///< false: light leaks under what stands on a patch (teaching)
     std::vector<bool> lightWithin; ///< for each object: is there a light within its bounding box?
     bool coarsensGround = true;    ///< false: a wide ground is cut as fine as all else (tests)
+    bool dividesNearEmitters = true; ///< false: what lies close to emitters is cut as large as all else (tests)
     bool leavesOutFolds = true;    ///< false: patches in folds of simplified meshes stay, and stay dark (tests)
     friend bool operator==(const RoomSettings&, const RoomSettings&) = default;
 };
@@ -51,7 +52,10 @@ public:
     [[nodiscard]] const std::vector<Patch>& patches() const { return patches_; }
     /// The same, followed by the patches of the loose sides, which exchange no light. Their face numbers are those in sides().
     [[nodiscard]] const std::vector<Patch>& allPatches() const { return allPatches_; }
+    /// To the eye.
     [[nodiscard]] const Importance& importance() const { return importance_; }
+    /// False: everything matters alike, or the budget is too small to divide faces by it.
+    [[nodiscard]] bool usesImportance() const { return usesImportance_; }
     /// What would matter to another eye.
     [[nodiscard]] Importance importanceTo(const std::optional<Eye>& eye) const;
     /// The share of the view of each of patches() that is no surface: 0..1.
@@ -84,13 +88,14 @@ private:
     void simplify();
     bool simplifiesFurther();
     void cut();
-    double cutWithinBudget();
+    double cutByWhatMatters();
+    double cutWithinBudget(const FaceParts& parts);
     struct Cut {
         double size = 0; ///< of the longest edges, metres
         std::vector<Patch> patches;
         std::size_t covered = 0; ///< how many were left out
     };
-    [[nodiscard]] Cut cutInto(std::size_t pieces) const;
+    [[nodiscard]] Cut cutInto(std::size_t pieces, const FaceParts& parts) const;
     [[nodiscard]] bool isCovered(const Patch& patch) const;
     void leaveOutCovered();
 
@@ -109,6 +114,7 @@ private:
     Faces exchangingFaces_;
     Ground ground_;
     Importance importance_;
+    bool usesImportance_ = false;
     std::vector<Patch> patches_, allPatches_;
     std::optional<trace::Bvh> bvh_;
     std::optional<Occlusion> occlusion_;

@@ -55,11 +55,16 @@ TEST(Importance, OneRoomIsCutEvenly) {
     }
 }
 
-// The far end of a floor that runs through three rooms.
-TEST(Importance, AFaceIsDividedWherePartsOfItMatterDifferently) {
+/// One floor, the last object, runs through three rooms.
+scene::Scene roomsOnOneFloor() {
     scene::Scene scene = roomRow(3);
     std::erase_if(scene.objects, [](const scene::Object& object) { return object.name == "floor"; });
     addObject(scene, scene::makeQuad({kRoomStep * 3, kRoomDepth}), translation({1.5 * kRoomStep, 0, 0.5 * kRoomDepth}));
+    return scene;
+}
+
+TEST(Importance, AFaceIsDividedWherePartsOfItMatterDifferently) {
+    const scene::Scene scene = roomsOnOneFloor();
     Room room(scene, {kBudget, true, std::vector<bool>(scene.objects.size(), false)}, Eye{inRoom(0), kSize});
     ASSERT_TRUE(room.advance(std::chrono::steady_clock::time_point::max()));
     double near = 0, far = 0; // areas of the largest patches
@@ -71,6 +76,25 @@ TEST(Importance, AFaceIsDividedWherePartsOfItMatterDifferently) {
     }
     EXPECT_GT(near, 0);
     EXPECT_GT(far, 8 * near);
+}
+
+// A budget that the whole faces just fit is kept, and not used up by parts of them.
+TEST(Importance, PartsOfFacesNeverExceedTheBudget) {
+    const scene::Scene scene = roomsOnOneFloor();
+    const std::vector<bool> noLights(scene.objects.size(), false);
+    Room coarsest(scene, {1, true, noLights});
+    ASSERT_TRUE(coarsest.advance(std::chrono::steady_clock::time_point::max()));
+    const std::size_t least = coarsest.patches().size();
+    bool isEverUsed = false;
+    for (std::size_t budget = least; budget < 3 * least; ++budget) {
+        Room room(scene, {budget, true, noLights}, Eye{inRoom(0), kSize});
+        ASSERT_TRUE(room.advance(std::chrono::steady_clock::time_point::max()));
+        EXPECT_LE(room.patches().size(), budget);
+        EXPECT_TRUE(room.importance().cutsLike(room.importanceTo(Eye{inRoom(0), kSize}))) << "so it is not cut anew for ever";
+        EXPECT_TRUE(budget > least || !room.usesImportance()) << "the case is too easy";
+        isEverUsed = isEverUsed || room.usesImportance();
+    }
+    EXPECT_TRUE(isEverUsed);
 }
 
 TEST(Importance, ItIsAlwaysTheSameForTheSameEye) {
