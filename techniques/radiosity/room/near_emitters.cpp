@@ -8,7 +8,7 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Edges of pieces are no longer than so many times their distance from the emitter, but may be a quarter of its size: where it is closer than that, it
+// Diagonals of pieces are no longer than so many times their distance from the emitter, but may be a quarter of its size: where it is closer than that, it
 // covers what it lights, and outlines are cut (contacts.h).
 constexpr double kOfDistance = 2, kOfSize = 0.25;
 
@@ -43,7 +43,8 @@ public:
 
     void divide(const Patch& piece, std::uint32_t object, int doublings, std::vector<FacePart>& parts) const {
         const bool isTooLong = std::ranges::any_of(emitters_, [&](const Emitter& emitter) {
-            return emitter.object != object && sizeOf(piece.polygon) > longestNear(emitter, piece) && sees(piece, emitter);
+            const double longest = std::ldexp(longestNear(emitter, piece), doublings); // twice as long where all patches are
+            return emitter.object != object && sizeOf(piece.polygon) > longest && sees(piece, emitter);
         });
         const std::vector<Polygon> polygons = isTooLong ? dividedPatch(piece) : std::vector{piece.polygon};
         if (polygons.size() == 1) {

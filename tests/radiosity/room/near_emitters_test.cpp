@@ -108,5 +108,24 @@ TEST(NearEmitters, WithoutEmittersNothingIsDivided) {
     EXPECT_FALSE(dividedNearEmitters({}, lit.tracer(), lit.sides(), 1, 3)) << "they are more than three";
 }
 
+// Where all patches are eight times as long, as in rooms that matter little, these are as well.
+TEST(NearEmitters, InOtherRoomsPiecesAreLarger) {
+    const scene::Scene scene = roomWithPlate(0.15);
+    Room room(scene, settingsFor(scene, 600, true));
+    ASSERT_TRUE(room.advance(Deadline::max()));
+    const auto piecesWith = [&](int doublings) {
+        FaceParts parts(room.sides().exchanging);
+        for (std::size_t f = 0; f < parts.size(); ++f)
+            parts[f] = {{room.sides().faces.all[f].polygon, doublings}};
+        const auto divided = dividedNearEmitters(parts, room.tracer(), room.sides(), 1, 1000);
+        std::size_t count = 0;
+        for (const auto& ofFace : divided.value_or(parts))
+            count += ofFace.size();
+        return count;
+    };
+    EXPECT_GT(piecesWith(0), 3 * piecesWith(3));
+    EXPECT_GE(piecesWith(1), piecesWith(2));
+}
+
 } // namespace
 } // namespace shadowlab::radiosity
