@@ -12,6 +12,9 @@ namespace {
 // covers what it lights, and outlines are cut (contacts.h).
 constexpr double kOfDistance = 2, kOfSize = 0.25;
 
+// A lamp is a small part of a room. Where more than this share of all surfaces glows, everything is close to what glows.
+constexpr double kMostOfRoom = 0.1;
+
 /// What shines of an object.
 struct Emitter {
     std::uint32_t object = 0;
@@ -23,10 +26,16 @@ struct Emitter {
     }
 };
 
+/// None where much of the scene glows.
 std::vector<Emitter> emittersOf(const scene::Scene& scene, const Sides& sides) {
     std::vector<Emitter> emitters; // in the order of their objects, as faces are
-    for (const Face& face : sides.faces.all) {
+    double glowing = 0, all = 0;   // m^2, of the sides that exchange light: a loose one, such as the underside of a ground, may be very large
+    for (std::size_t f = 0; f < sides.exchanging; ++f) {
+        const Face& face = sides.faces.all[f];
+        const double area = glm::length(areaVector(face.polygon));
+        all += area;
         if (!face.shines || luminance(dvec3(scene.materials[face.material].emission)) <= 0) continue;
+        glowing += area;
         auto own = std::ranges::find(emitters, face.object, &Emitter::object);
         if (own == emitters.end()) own = emitters.insert(own, Emitter{face.object, {}, {}});
         const trace::CentredBox box = boxOf(face.polygon);
@@ -34,6 +43,7 @@ std::vector<Emitter> emittersOf(const scene::Scene& scene, const Sides& sides) {
         own->box.include(box.upper);
         own->planes.push_back(face.plane);
     }
+    if (glowing > kMostOfRoom * all) emitters.clear();
     return emitters;
 }
 

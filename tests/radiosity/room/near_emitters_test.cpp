@@ -108,6 +108,16 @@ TEST(NearEmitters, WithoutEmittersNothingIsDivided) {
     EXPECT_FALSE(dividedNearEmitters({}, lit.tracer(), lit.sides(), 1, 3)) << "they are more than three";
 }
 
+// A room whose walls glow, as a furnace's do, is cut evenly.
+TEST(NearEmitters, WhereMuchGlowsNothingIsDivided) {
+    scene::Scene scene = roomWithPlate(0.15);
+    scene.materials[0].emission = vec3(1);
+    Room room(scene, settingsFor(scene, 300, true)), alike(scene, settingsFor(scene, 300, false));
+    ASSERT_TRUE(room.advance(Deadline::max()) && alike.advance(Deadline::max()));
+    EXPECT_FALSE(dividedNearEmitters({}, room.tracer(), room.sides(), 1, 300));
+    EXPECT_EQ(room.patches().size(), alike.patches().size());
+}
+
 // Where all patches are eight times as long, as in rooms that matter little, these are as well.
 TEST(NearEmitters, InOtherRoomsPiecesAreLarger) {
     const scene::Scene scene = roomWithPlate(0.15);
