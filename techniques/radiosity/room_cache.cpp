@@ -90,13 +90,14 @@ void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& p
     exchange_.reset();
     cells_.reset();
     room_ = std::make_unique<Room>(*roomSnapshot_, key_.settings, eye);
-    lastEye_.reset();
+    lastEye_ = eye;
+    isCutForLastEye_ = true;
     version_ = scene::newRevision();
 }
 
 bool RoomCache::isCutFor(const std::optional<Eye>& eye) {
-    if (!lastEye_ || *lastEye_ != eye) isCutForLastEye_ = room_->importance().cutsLike(room_->importanceTo(eye));
-    lastEye_.emplace(eye);
+    if (lastEye_ != eye) isCutForLastEye_ = room_->importance().cutsLike(room_->importanceTo(eye));
+    lastEye_ = eye;
     return isCutForLastEye_;
 }
 

@@ -80,8 +80,8 @@ private:
     RoomCacheKey key_;
     RadiosityParams params_;
     std::unique_ptr<Room> room_;
-    std::optional<std::optional<Eye>> lastEye_; ///< that isCutFor() was asked for, since there is this room
-    bool isCutForLastEye_ = false;
+    std::optional<Eye> lastEye_; ///< that isCutFor() was asked for, or for which the room was cut
+    bool isCutForLastEye_ = true;
     // Form factors before scaling: there is more than one way to use them.
     struct FoundFormFactors {
         ExchangeMatrix matrix;

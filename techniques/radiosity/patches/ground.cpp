@@ -21,12 +21,6 @@ constexpr double kOnePlane = 1e-4;
 
 double diagonal(const trace::CentredBox& box) { return glm::distance(box.lower, box.upper); }
 
-trace::CentredBox around(trace::CentredBox box, const trace::CentredBox& other) {
-    box.include(other.lower);
-    box.include(other.upper);
-    return box;
-}
-
 } // namespace
 
 Ground::Ground(const Faces& faces) {
@@ -68,9 +62,7 @@ Ground::Ground(const Faces& faces) {
 }
 
 double Ground::sizeAt(const Polygon& piece, double size) const {
-    const trace::CentredBox box = boxOf(piece);
-    const dvec3 gap = glm::max(dvec3(0), glm::max(box.lower - rest_.upper, rest_.lower - box.upper));
-    return std::max(size, kOfDistance * glm::length(gap));
+    return std::max(size, kOfDistance * distanceBetween(boxOf(piece), rest_));
 }
 
 } // namespace shadowlab::radiosity

@@ -44,6 +44,16 @@ trace::CentredBox boxOf(const Polygon& polygon) {
     return box;
 }
 
+trace::CentredBox around(trace::CentredBox box, const trace::CentredBox& other) {
+    box.include(other.lower);
+    box.include(other.upper);
+    return box;
+}
+
+double distanceBetween(const trace::CentredBox& a, const trace::CentredBox& b) {
+    return glm::length(glm::max(dvec3(0), glm::max(a.lower - b.upper, b.lower - a.upper)));
+}
+
 double sizeOf(const Polygon& polygon) {
     const trace::CentredBox box = boxOf(polygon);
     return glm::length(box.upper - box.lower);

@@ -60,7 +60,11 @@ constexpr double kTouching = 2e-7;
 bool holds(const Polygon& polygon, const dvec3& point, const dvec3& normal);
 
 trace::CentredBox boxOf(const Polygon& polygon);
-/// The diagonal of that box, metres.
+/// Around both.
+trace::CentredBox around(trace::CentredBox box, const trace::CentredBox& other);
+/// 0 where they touch.
+double distanceBetween(const trace::CentredBox& a, const trace::CentredBox& b);
+/// The diagonal of the polygon's box, metres.
 double sizeOf(const Polygon& polygon);
 /// Is no corner more than `tolerance` metres before the plane?
 bool isBehind(const Plane& plane, const Polygon& polygon, double tolerance);

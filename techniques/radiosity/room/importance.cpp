@@ -12,12 +12,13 @@
 #include "techniques/foundation/math/random_pair.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/radiosity/patches/polygon_samples.h"
+#include "techniques/radiosity/room/sample_hemisphere.h"
 
 namespace shadowlab::radiosity {
 
 namespace {
 
-// A thousand of them meet each of the larger surfaces of a room some fifty times, which tells a sixteenth from one; they take a few milliseconds.
+// They meet each of the larger surfaces of a room some hundred times, which tells a sixteenth from one, in a few milliseconds.
 constexpr int kPaths = 4096, kPathsOfPiece = 64;
 
 // What a pixel gathers has been reflected once more than it is followed here. In a room whose walls reflect half, later surfaces together have an eighth.
@@ -50,13 +51,6 @@ std::uint32_t sideOf(const Sides& sides, const trace::SurfacePoint& point) {
     return (point.eyeOnFront ? sides.faces.ofTriangle : sides.backOfTriangle)[point.primitive];
 }
 
-/// By the cosine from the normal: `unit` lies in the unit square.
-dvec3 reflectedDirection(const dvec3& normal, const dvec2& unit) {
-    const dvec3 u = perpendicularTo(normal), v = glm::cross(normal, u);
-    const double radius = std::sqrt(unit.x), turn = glm::two_pi<double>() * unit.y;
-    return radius * (std::cos(turn) * u + std::sin(turn) * v) + std::sqrt(1 - unit.x) * normal;
-}
-
 dvec3 directionOnSphere(const dvec2& unit) {
     const double z = 1 - 2 * unit.x, radius = std::sqrt(std::max(0.0, 1 - z * z)), turn = glm::two_pi<double>() * unit.y;
     return {radius * std::cos(turn), radius * std::sin(turn), z};
@@ -75,7 +69,8 @@ Path pathOf(int number, const trace::SceneTracer& tracer, const Sides& sides, co
         const Face& face = sides.faces.all[side];
         weight *= luminance(dvec3(tracer.scene().materials[face.material].diffuse));
         const dvec2 unit = i == 0 ? dvec2(x[2], x[3]) : randomPair(static_cast<std::uint64_t>(number) * kReflections + i);
-        at = tracer.nextPoint(at, reflectedDirection(face.plane.normal, unit));
+        const dvec3 &normal = face.plane.normal, tangent = perpendicularTo(normal);
+        at = tracer.nextPoint(at, cosineDirection({tangent, glm::cross(normal, tangent)}, normal, unit));
         if (at) path[i] = {sideOf(sides, at), tracer.positionCentred(at), weight};
     }
     return path;

@@ -13,8 +13,28 @@
 
 namespace shadowlab::radiosity {
 
-/// The parts of the sides that exchange light, divided where they are close to what emits and see it. `parts`: those before, where there are any. `scale`: 1; larger
-/// where pieces must be fewer. Nothing: nothing is close, or more than `most` pieces would be added.
-std::optional<FaceParts> dividedNearEmitters(const FaceParts& parts, const trace::SceneTracer& tracer, const Sides& sides, double scale, std::size_t most);
+class NearEmitters {
+public:
+    /// The arguments must outlive this object.
+    NearEmitters(const trace::SceneTracer& tracer, const Sides& sides);
+
+    /// The parts of the sides that exchange light, divided where they are close to what emits and see it. `parts`: those before, where there are any. `scale`: 1;
+    /// larger where pieces must be fewer. Nothing: nothing is close, or more than `most` pieces would be added.
+    [[nodiscard]] std::optional<FaceParts> divided(const FaceParts& parts, double scale, std::size_t most) const;
+
+private:
+    /// What glows of an object.
+    struct Emitter {
+        std::uint32_t object = 0;
+        trace::CentredBox box;
+        std::vector<Plane> planes; ///< of its faces
+    };
+    void divide(const Patch& piece, double scale, int doublings, std::vector<FacePart>& parts) const;
+    [[nodiscard]] bool sees(const Patch& piece, const Emitter& emitter) const;
+
+    const trace::SceneTracer& tracer_;
+    const Sides& sides_;
+    std::vector<Emitter> emitters_; ///< in the order of their objects, as faces are; none where much of the scene glows
+};
 
 } // namespace shadowlab::radiosity

@@ -137,18 +137,21 @@ double Room::cutByWhatMatters() {
     // So much of the budget may go into what lies close to emitters, and pieces there may be so many times as large before that is given up.
     constexpr std::size_t kShareNearEmitters = 3;
     constexpr double kLargest = 4;
-    // Faces that are divided may be too many for the budget where whole ones are not. Then something has to be left out.
     double size = 0;
     const auto fits = [&](const FaceParts& parts) {
         size = cutWithinBudget(parts);
         return patches_.size() <= settings_.patches;
     };
-    for (usesImportance_ = !importance_.parts().empty();; usesImportance_ = false) {
-        const FaceParts parts = usesImportance_ ? importance_.parts() : FaceParts{};
+    const NearEmitters emitters(tracer_, sides_);
+    const auto fitsNearEmitters = [&](const FaceParts& parts) {
         for (double scale = 1; settings_.dividesNearEmitters && scale <= kLargest; scale *= 2)
-            if (const auto divided = dividedNearEmitters(parts, tracer_, sides_, scale, settings_.patches / kShareNearEmitters); divided && fits(*divided)) return size;
-        if (fits(parts) || !usesImportance_) return size;
-    }
+            if (const auto divided = emitters.divided(parts, scale, settings_.patches / kShareNearEmitters); divided && fits(*divided)) return true;
+        return fits(parts);
+    };
+    // Faces that are divided may be too many for the budget where whole ones are not. Then they are cut alike.
+    usesImportance_ = !importance_.parts().empty() && fitsNearEmitters(importance_.parts());
+    if (!usesImportance_) fitsNearEmitters({});
+    return size;
 }
 
 double Room::cutWithinBudget(const FaceParts& parts) {

@@ -34,12 +34,16 @@ std::array<dvec3, 2> tangents(const dvec3& normal) {
 HemisphereRay rayOf(const Patch& patch, const std::array<dvec3, 2>& tangents, int i, int count) {
     const auto x = hammersley4(i, count);
     const dvec3 from = placeIn(patch.polygon, x[0], x[1]).point + 2 * kTouching * sizeOf(patch.polygon) * patch.normal;
-    // Uniform points of the unit disc, projected up to the hemisphere, are cosine-distributed directions (Malley, 1988).
-    const double radius = std::sqrt(x[2]), angle = glm::two_pi<double>() * x[3];
-    return {from, radius * (std::cos(angle) * tangents[0] + std::sin(angle) * tangents[1]) + std::sqrt(std::max(0.0, 1 - x[2])) * patch.normal};
+    return {from, cosineDirection(tangents, patch.normal, {x[2], x[3]})};
 }
 
 } // namespace
+
+dvec3 cosineDirection(const std::array<dvec3, 2>& tangents, const dvec3& normal, const dvec2& unit) {
+    // Uniform points of the unit disc, projected up to the hemisphere (Malley, 1988).
+    const double radius = std::sqrt(unit.x), angle = glm::two_pi<double>() * unit.y;
+    return radius * (std::cos(angle) * tangents[0] + std::sin(angle) * tangents[1]) + std::sqrt(std::max(0.0, 1 - unit.x)) * normal;
+}
 
 std::vector<HemisphereRay> outwardRays(const trace::SceneTracer& tracer, const Patch& patch, std::size_t count) {
     const std::array<dvec3, 2> frame = tangents(patch.normal);

@@ -5,6 +5,7 @@
 // Cosine-distributed rays from the patch estimate these shares.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct HemisphereShares {
 /// the patch's own. `foldMetres`: how near its own object must be for a fold of a simplified mesh; 0: none is looked for.
 HemisphereShares sampleHemisphere(const trace::SceneTracer& tracer, const ClosedBodies& bodies, const Patch& patch,
                                   std::uint32_t object, double foldMetres);
+
+/// A direction about the normal, those near it more likely, by the cosine: `unit` lies in the unit square; the tangents and the normal are a right-handed frame.
+dvec3 cosineDirection(const std::array<dvec3, 2>& tangents, const dvec3& normal, const dvec2& unit);
 
 /// One of the rays.
 struct HemisphereRay {

@@ -54,7 +54,7 @@ TEST_F(RadiosityImportanceTest, ARoomOfManyIsAsRightAsThatRoomAlone) {
     const std::vector<vec4> reference = picture(1, "3000", "false");
     const double alone = rootMeanSquare(picture(1, "300", "true"), reference), withImportance = rootMeanSquare(picture(8, "300", "true"), reference),
                  without = rootMeanSquare(picture(8, "300", "false"), reference);
-    EXPECT_LT(withImportance, 1.3 * alone) << "42 of 300 patches are in the other rooms, which makes these a twelfth longer, and steps of size a tenth";
+    EXPECT_LT(withImportance, 1.3 * alone) << "of 300 patches up to 84 are in the other seven rooms, one or two for each wall, which makes edges up to a sixth longer";
     EXPECT_GT(without, 2 * withImportance) << "cut evenly, the room has an eighth of the patches";
 }
 

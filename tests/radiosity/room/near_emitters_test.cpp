@@ -100,12 +100,12 @@ TEST(NearEmitters, WithoutEmittersNothingIsDivided) {
     const RoomSettings settings = settingsFor(scene, 300, true);
     Room room(scene, settings);
     ASSERT_TRUE(room.advance(Deadline::max()));
-    EXPECT_FALSE(dividedNearEmitters({}, room.tracer(), room.sides(), 1, 300));
+    EXPECT_FALSE(NearEmitters(room.tracer(), room.sides()).divided({}, 1, 300));
     const scene::Scene glowing = roomWithPlate(0.15);
     Room lit(glowing, settings);
     ASSERT_TRUE(lit.advance(Deadline::max()));
-    EXPECT_TRUE(dividedNearEmitters({}, lit.tracer(), lit.sides(), 1, 300));
-    EXPECT_FALSE(dividedNearEmitters({}, lit.tracer(), lit.sides(), 1, 3)) << "they are more than three";
+    EXPECT_TRUE(NearEmitters(lit.tracer(), lit.sides()).divided({}, 1, 300));
+    EXPECT_FALSE(NearEmitters(lit.tracer(), lit.sides()).divided({}, 1, 3)) << "they are more than three";
 }
 
 // A room whose walls glow, as a furnace's do, is cut evenly.
@@ -114,7 +114,7 @@ TEST(NearEmitters, WhereMuchGlowsNothingIsDivided) {
     scene.materials[0].emission = vec3(1);
     Room room(scene, settingsFor(scene, 300, true)), alike(scene, settingsFor(scene, 300, false));
     ASSERT_TRUE(room.advance(Deadline::max()) && alike.advance(Deadline::max()));
-    EXPECT_FALSE(dividedNearEmitters({}, room.tracer(), room.sides(), 1, 300));
+    EXPECT_FALSE(NearEmitters(room.tracer(), room.sides()).divided({}, 1, 300));
     EXPECT_EQ(room.patches().size(), alike.patches().size());
 }
 
@@ -127,7 +127,7 @@ TEST(NearEmitters, InOtherRoomsPiecesAreLarger) {
         FaceParts parts(room.sides().exchanging);
         for (std::size_t f = 0; f < parts.size(); ++f)
             parts[f] = {{room.sides().faces.all[f].polygon, doublings}};
-        const auto divided = dividedNearEmitters(parts, room.tracer(), room.sides(), 1, 1000);
+        const auto divided = NearEmitters(room.tracer(), room.sides()).divided(parts, 1, 1000);
         std::size_t count = 0;
         for (const auto& ofFace : divided.value_or(parts))
             count += ofFace.size();
