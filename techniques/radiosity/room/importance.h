@@ -9,16 +9,10 @@
 #pragma once
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "techniques/radiosity/patches/patches.h"
+#include "techniques/radiosity/room/eye.h"
 #include "techniques/radiosity/room/sides.h"
 
 namespace shadowlab::radiosity {
-
-/// Whose picture it is.
-struct Eye {
-    scene::Camera camera;
-    ivec2 pictureSize{1};
-    friend bool operator==(const Eye&, const Eye&) = default;
-};
 
 class Importance {
 public:
