@@ -18,9 +18,9 @@ out vec4 result;
 void main() {
     float distanceSquared;
     vec3 toLightView = towardLight(positionView, distanceSquared);
+    vec2 share = texelFetch(shares, ivec2(gl_FragCoord.xy * sharesPerPixel), 0).rg;
     // Where rasteriser and rays see different surfaces, at their edges, the surface that is drawn may be turned away.
-    bool gate = eyeSideFacesLight() && lightShinesTo(toLightView);
-    vec2 share = gate ? texelFetch(shares, ivec2(gl_FragCoord.xy * sharesPerPixel), 0).rg : vec2(0.0);
+    if (!eyeSideFacesLight() || !lightShinesTo(toLightView)) share.r = 0.0;
 #ifdef VISIBILITY_ONLY
     result = vec4(share.r, 1.0, 0.0, 1.0);
 #else

@@ -66,7 +66,10 @@ void SceneTracer::lookAtLights() {
         const std::vector<std::uint8_t> inPlane = scene::inLampPlane(*snapshot_, light);
         if (!inPlane.empty()) view.hidesPart = casts_;
         for (std::size_t i = 0; i < inPlane.size(); ++i)
-            if (inPlane[i]) view.hidesPart[i] = 0;
+            if (inPlane[i]) {
+                view.hidesPart[i] = 0;
+                view.gates[i] |= inLampPlane;
+            }
         lights_.push_back(std::move(view));
     }
 }
@@ -164,6 +167,12 @@ bool SceneTracer::facesLight(const SurfacePoint& point, int light) const {
     if (!(lights_[l].gates[point.primitive] & (point.eyeOnFront ? facesFront : facesBack))) return false;
     return scene::shinesEverywhere(snapshot_->lights[l]) ||
            scene::lightShinesTo(snapshot_->lights[l], positionWorld(point));
+}
+
+bool SceneTracer::mayFacePartOfLight(const SurfacePoint& point, int light) const {
+    const std::size_t l = static_cast<std::size_t>(light);
+    if (lights_[l].gates[point.primitive] & inLampPlane) return false;
+    return scene::shinesEverywhere(snapshot_->lights[l]) || scene::lightShinesTo(snapshot_->lights[l], positionWorld(point));
 }
 
 Ray SceneTracer::shadowRay(const SurfacePoint& point, int light, ShadowStart start) const {

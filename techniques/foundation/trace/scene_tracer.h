@@ -132,6 +132,8 @@ public:
 
     /// True if the side that the eye sees faces the light and lies in its cone. Otherwise no shadow ray is needed.
     [[nodiscard]] bool facesLight(const SurfacePoint& point, int light) const;
+    /// The same for a light with an area, of which a part may be above the surface where the centre is not. False surely means that none is.
+    [[nodiscard]] bool mayFacePartOfLight(const SurfacePoint& point, int light) const;
     /// The triangle that stands between the point and the light's centre, or kNoPrimitive: the first that is found.
     [[nodiscard]] std::uint32_t blocker(const SurfacePoint& point, int light,
                                         ShadowStart start = ShadowStart::exact) const;
@@ -170,7 +172,7 @@ public:
 private:
     /// What a light can do to a triangle: shine on the side that an eye sees, on its front (as the triangle lies in the
     /// world) or behind it; and put it in shadow.
-    enum Gate : std::uint8_t { facesFront = 1, facesBack = 2, receives = 4 };
+    enum Gate : std::uint8_t { facesFront = 1, facesBack = 2, receives = 4, inLampPlane = 8 };
 
     void lookAtLights();
     [[nodiscard]] RayHit closest(const Ray& ray, const MayHit& mayHit) const;

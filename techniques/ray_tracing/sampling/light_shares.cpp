@@ -64,8 +64,8 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
             for (int x = corner.x; x < end.x; ++x) {
                 const auto i =
                     static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
-                if (picture.visibility(light_)[i] < trace::Visibility::shadowed) continue; // turned away, or nothing
                 const trace::SurfacePoint& point = picture.points()[i];
+                if (!point) continue;
                 pixels.push_back(i);
                 points.push_back(point);
                 normalsWorld.push_back(

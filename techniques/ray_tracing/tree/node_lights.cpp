@@ -64,7 +64,7 @@ LightAtNode analyticLight(const RayWorld& world, const TreeNode& node, int light
     world.analytic->area(light)->irradiances({&node.point, 1}, {&node.normalWorld, 1}, {&found, 1});
     LightAtNode at;
     at.towardWorld = scene::towardLightWorld(source, positionWorld);
-    at.visibility = found.visible > 0      ? trace::Visibility::lit
+    at.visibility = found.irradiance > 0   ? trace::Visibility::lit
                     : found.unshadowed > 0 ? trace::Visibility::shadowed
                                            : trace::Visibility::turnedAway;
     at.intensity = surfaces.litByArea(node.point, light, found.irradiance, positionWorld, node.normalWorld, -node.u);

@@ -182,6 +182,55 @@ TEST(AreaIrradiance, AboveBothHorizons) {
     EXPECT_NEAR(aside.visible, 1, kRounding);
 }
 
+// A light of which the centre has set, and a part has not, still gives its light; the share, by the centre's gate, is 0.
+TEST(AreaIrradiance, WhatIsLeftOfALightThatSets) {
+    scene::Scene scene = testing::floorScene();
+    scene.objects[0].castsShadow = false;
+    int compared = 0;
+    for (const double height : {-0.49, -0.4, -0.2, -0.01, 0.01, 0.2, 0.4, 0.49, 0.6}) {
+        const auto ball = with(scene, sphereLight({-2, height, 0}, 0.5));
+        const SceneTracer tracer = tracerOf(ball);
+        const dvec3 toMiddle = dvec3(-3, height, 0);
+        const double sine = 0.5 / glm::length(toMiddle);
+        const AreaIrradiance found = irradianceAt(AreaVisibility(tracer, 0), tracer, {1, 0, 0});
+        EXPECT_NEAR(found.irradiance, ballFactor(glm::normalize(toMiddle), sine, kUp, kUp), kRounding) << height;
+        EXPECT_GT(found.irradiance, 0) << height;
+        EXPECT_EQ(found.visible > 0, height > 0) << height;
+
+        // A panel of 1 x 1 m that stands upright and faces the point: of it a wall of that width and the height that is left is seen.
+        const auto panel = with(scene, rectLight({-2, height, 0}, {0, 1, 0}, {0, 0, 1}));
+        const SceneTracer panelTracer = tracerOf(panel);
+        const auto upTo = [](double top) { // twice the factor of a perpendicular rectangle with a corner on the floor before the point
+            const double far = std::hypot(top, 3);
+            return (std::atan(0.5 / 3) - 3 / far * std::atan(0.5 / far)) / M_PI;
+        };
+        const AreaIrradiance upright = irradianceAt(AreaVisibility(panelTracer, 0), panelTracer, {1, 0, 0});
+        EXPECT_NEAR(upright.irradiance, upTo(height + 0.5) - upTo(std::max(0.0, height - 0.5)), kRounding) << height;
+        EXPECT_EQ(upright.visible > 0, height > 0) << height;
+        ++compared;
+    }
+    EXPECT_EQ(compared, 9);
+    for (const double height : {-0.6, -0.5 - 1e-9}) { // it has set
+        const auto ball = with(scene, sphereLight({-2, height, 0}, 0.5));
+        const SceneTracer tracer = tracerOf(ball);
+        EXPECT_EQ(irradianceAt(AreaVisibility(tracer, 0), tracer, {1, 0, 0}).irradiance, 0);
+    }
+}
+
+// A panel let into the floor lights nothing of it, nor does one that lies on it face down.
+TEST(AreaIrradiance, NothingInThePlaneOfAPanelIsLit) {
+    for (const double side : {1.0, -1.0}) {
+        const auto panel = with(testing::floorScene(), rectLight({0, 0, 0}, {1, 0, 0}, {0, 0, side}));
+        const SceneTracer tracer = tracerOf(panel);
+        const AreaVisibility area(tracer, 0);
+        for (const dvec3& place : {dvec3(0), dvec3(0.3, 0, 0.2), dvec3(0.5, 0, 0.5), dvec3(3, 0, 1)}) {
+            const AreaIrradiance found = irradianceAt(area, tracer, place);
+            EXPECT_EQ(found.irradiance, 0) << place.x;
+            EXPECT_EQ(found.visible, 0) << place.x;
+        }
+    }
+}
+
 // Neighbours are asked together, by a search that is parted: every answer is the one that a point gets alone.
 TEST(AreaIrradiance, ManyPointsAtOnce) {
     for (const scene::Light& light :

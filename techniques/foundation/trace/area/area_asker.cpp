@@ -54,7 +54,7 @@ AreaIrradiance AreaVisibility::Asker::askIrradiance(const SurfacePoint& point, c
     if (!receives) return {1.0, answer.unshadowed, answer.unshadowed};
     if (contours_.empty() && obstacles_->perforated.empty()) { // either all of it is seen, or nothing
         const LightPiece whole(seen_, outline_);
-        if (!isFree(whole.middle())) return {0.0, 0.0, answer.unshadowed};
+        if (!(whole.area() > 0) || !isFree(whole.middle())) return {0.0, 0.0, answer.unshadowed};
         return {std::clamp(whole.area() / seen_.area, 0.0, 1.0), answer.unshadowed, answer.unshadowed};
     }
     contours_.push_back(horizon); // each piece is above it or below

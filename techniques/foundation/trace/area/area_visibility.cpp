@@ -77,7 +77,7 @@ void AreaVisibility::askAll(Group& group) const {
     std::vector<std::uint32_t> asking;
     for (std::uint32_t i = 0; i < group.points.size(); ++i) {
         const SurfacePoint& point = group.points[i];
-        if (!point || !tracer_.facesLight(point, number_)) continue;
+        if (!point || !(group.irradiances.empty() ? tracer_.facesLight(point, number_) : tracer_.mayFacePartOfLight(point, number_))) continue;
         if (!tracer_.objectOf(point).receivesShadow && group.irradiances.empty()) {
             group.shares[i].visible = 1;
             continue;
@@ -117,7 +117,13 @@ void AreaVisibility::askTogether(Group& group, std::span<const std::uint32_t> me
         if (group.irradiances.empty())
             group.shares[i] = asker.ask(group.points[i], group.move(i));
         else
-            group.irradiances[i] = asker.askIrradiance(group.points[i], group.normalsWorld[i]);
+            group.irradiances[i] = askIrradiance(group.points[i], group.normalsWorld[i], asker);
+}
+
+AreaIrradiance AreaVisibility::askIrradiance(const SurfacePoint& point, const dvec3& normalWorld, Asker& asker) const {
+    AreaIrradiance answer = asker.askIrradiance(point, normalWorld);
+    if (!tracer_.facesLight(point, number_)) answer.visible = 0;
+    return answer;
 }
 
 AreaVisibility::Bounds AreaVisibility::boundsOf(const Group& group, std::span<const std::uint32_t> members) const {

@@ -51,7 +51,8 @@ public:
     void shares(std::span<const SurfacePoint> points, std::span<const double> moves,
                 std::span<AreaShare> answers) const;
 
-    /// What they get of the light, by the same gates. `normalsWorld`: one unit vector per point, on the side that the light is to
+    /// What they get of the light. Here the facing gate is that of each part of the light: a surface that turns away from it darkens
+    /// little by little, as the light sets. `visible` alone keeps the centre's gates. `normalsWorld`: one unit vector per point, on the side that the light is to
     /// be counted on: the shading normal. A point within a sphere gets nothing of it.
     void irradiances(std::span<const SurfacePoint> points, std::span<const dvec3> normalsWorld,
                      std::span<AreaIrradiance> answers) const;
@@ -66,6 +67,7 @@ private:
              Asker& asker) const;
     void askTogether(Group& group, std::span<const std::uint32_t> members, const Obstacles& obstacles,
                      Asker& asker) const;
+    [[nodiscard]] AreaIrradiance askIrradiance(const SurfacePoint& point, const dvec3& normalWorld, Asker& asker) const;
     [[nodiscard]] Bounds boundsOf(const Group& group, std::span<const std::uint32_t> members) const;
     /// Within this distance from a point, things may move by more than the margin around the light in which contours are counted
     /// while the point moves. `farthest`: metres to the farthest place of the light.
