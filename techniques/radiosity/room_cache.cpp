@@ -215,9 +215,8 @@ bool RoomCache::advanceLights(Deadline deadline) {
         if (!cached.builder || cached.light != light) {
             cached.light = light;
             cached.found.reset();
-            cached.builder = std::make_unique<DirectLightBuilder>(
-                LightSource(light, room_->world().originWorld, room_->sides().faces), room_->allPatches(),
-                room_->occlusion(), receives_);
+            cached.source.emplace(light, room_->world().originWorld, room_->sides().faces);
+            cached.builder = std::make_unique<DirectLightBuilder>(*cached.source, room_->allPatches(), room_->occlusion(), receives_);
         }
         if (!cached.builder->advance(deadline)) return false;
         cached.found = cached.builder->take();

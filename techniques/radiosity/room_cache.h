@@ -42,6 +42,7 @@ public:
     [[nodiscard]] bool isRefined() const { return key_.refine > 0; }
     [[nodiscard]] const SurfaceCells& cells() const { return *cells_; }
     [[nodiscard]] const DirectLight& light(int light) const { return *lights_[static_cast<std::size_t>(light)].found; }
+    [[nodiscard]] const LightSource& source(int light) const { return *lights_[static_cast<std::size_t>(light)].source; }
     [[nodiscard]] std::vector<const DirectLight*> lights() const;
     /// Changes whenever the room or its form factors are recomputed.
     [[nodiscard]] std::uint64_t version() const { return version_; }
@@ -66,6 +67,7 @@ private:
     };
     struct CachedLight {
         scene::Light light;
+        std::optional<LightSource> source;
         std::optional<DirectLight> found;
         std::unique_ptr<DirectLightBuilder> builder;
     };

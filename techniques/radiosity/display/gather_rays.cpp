@@ -29,6 +29,12 @@ constexpr double kPlastic = 1.3247179572447460;
 const dvec2 kStep{1 / kPlastic, 1 / (kPlastic * kPlastic)};
 dvec2 pointOf(std::size_t number) { return glm::fract((static_cast<double>(number) + 0.5) * kStep); }
 
+/// What one ray chooses by, in the unit interval and square: which emitter or opening, and the place on it or on a light.
+struct RayNumbers {
+    double which = 0;
+    dvec2 where{0.0};
+};
+
 /// Directions about a normal, one for each point of the sequence from `first` on; those near the normal are more likely, by the
 /// cosine, so all count alike. One turns by the same angle from each to the next, so that sine and cosine are found once.
 class CosineDirections {
@@ -75,12 +81,35 @@ bool isLit(const trace::SceneTracer& tracer, const trace::SurfacePoint& point, i
     return light.visible[patch] > 0 && scene::lightShinesTo(tracer.scene().light(number), tracer.positionWorld(point));
 }
 
+/// What a light with an area brings there, W/m^2: without shadows by its closed form, and the share of it that arrives by a few lines to places spread over it.
+dvec3 fromLamp(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point, int number, std::size_t patch,
+               const RayNumbers& numbers) {
+    // Where lines found a penumbra on the patch; elsewhere nearly all have the same answer.
+    constexpr int kLinesInPenumbra = 4;
+    const DirectLight& light = solution.cache.light(number);
+    const double visible = light.visible[patch];
+    if (light.mayHaveEdge[patch] == 0 && visible == 0) return dvec3(0);
+    const LightSource& source = solution.cache.source(number);
+    const dvec3 at = tracer.positionWorld(point) - solution.cache.room().world().originWorld, normal = geometricNormal(tracer, point);
+    const dvec3 whole = source.irradiance(at, normal) * source.color();
+    if (light.mayHaveEdge[patch] == 0 || whole == dvec3(0)) return whole;
+    const int lines = visible > 0 && visible < 1 ? kLinesInPenumbra : 1;
+    double free = 0, all = 0;
+    for (int i = 0; i < lines; ++i) {
+        const LightLine line = source.line(at, normal, (i + numbers.where.x) / lines, glm::fract(numbers.where.y + i * kGolden));
+        const trace::Ray ray{tracer.positionCentred(point), line.fromCentred - at, trace::kContact, 1 - trace::kContact};
+        all += line.weight;
+        free += line.weight > 0 && !tracer.isBlocked(ray, point.primitive, number) ? line.weight : 0;
+    }
+    return (all > 0 ? free / all : visible) * whole;
+}
+
 /// What the surface there sends, W/m^2.
 struct Sent {
     dvec3 emitted{0.0}, reflected{0.0};
     double density = 0; ///< with which the point is chosen among those of emitters, 1/m^2
 };
-Sent radiosityAt(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
+Sent radiosityAt(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point, const RayNumbers& numbers) {
     // What a lamp sends is direct light, which has been counted.
     if (tracer.objectOf(point).emitterOfLight >= 0) return {};
     const auto patch = patchOf(solution.cache.cells(), tracer, point);
@@ -90,7 +119,7 @@ Sent radiosityAt(const GatherSolution& solution, const trace::SceneTracer& trace
         const scene::Light& source = tracer.scene().light(i);
         const DirectLight& light = solution.cache.light(i);
         if (scene::hasArea(source))
-            irradiance += light.irradiance[*patch];
+            irradiance += fromLamp(solution, tracer, point, i, *patch, numbers);
         else if (isLit(tracer, point, i, light, *patch))
             irradiance += scene::irradiance(source, tracer.positionWorld(point), geometricNormal(tracer, point));
     }
@@ -173,6 +202,8 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
     Gathered sum;
     for (std::size_t i = rays.first; i < rays.first + rays.count; ++i) {
         const dvec3 leaning = directions.next();
+        const RayNumbers numbers{glm::fract(kGolden * (static_cast<double>(i) + 0.5) + shift.x + shift.y),
+                                 glm::fract(pointOf(i) + dvec2(shift.y, shift.x))};
         // A smooth normal leans: what would go through the surface is turned back to its side. (Simplified: near the rim of a round
         // body some directions then count twice, and others not at all.)
         const dvec3 direction = leaning - 2 * std::min(0.0, glm::dot(leaning, flat)) * flat;
@@ -182,7 +213,7 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
             const double distance = std::max(glm::distance(from, tracer.positionCentred(met)), kLeastDistance);
             sum.nearness += 1 / distance;
             ++sum.met;
-            const Sent sent = radiosityAt(solution, tracer, met);
+            const Sent sent = radiosityAt(solution, tracer, met, numbers);
             sum.irradiance += sent.reflected;
             if (sent.density > 0) { // rays are sent there on purpose as well
                 const double other = densityOfDirection(sent.density, distance, -glm::dot(direction, geometricNormal(tracer, met)));
@@ -194,11 +225,9 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
             const double share = asksOpenings ? shareOfOutside(solution.openings, tracer.positionWorld(point), direction, glm::dot(leaning, normal)) : 1;
             sum.irradiance += share * glm::pi<double>() * solution.outside;
         }
-        if (solution.emitters.isEmpty() && !asksOpenings) continue;
-        const double which = glm::fract(kGolden * (static_cast<double>(i) + 0.5) + shift.x + shift.y);
-        const dvec2 where = glm::fract(pointOf(i) + dvec2(shift.y, shift.x));
-        if (!solution.emitters.isEmpty()) addTo(sum, fromEmitter(solution, tracer, point, normal, solution.emitters.choose(which, where)));
-        if (asksOpenings) addTo(sum, fromOpening(solution, tracer, point, normal, solution.openings.choose(which, where)));
+        if (!solution.emitters.isEmpty())
+            addTo(sum, fromEmitter(solution, tracer, point, normal, solution.emitters.choose(numbers.which, numbers.where)));
+        if (asksOpenings) addTo(sum, fromOpening(solution, tracer, point, normal, solution.openings.choose(numbers.which, numbers.where)));
     }
     return sum;
 }

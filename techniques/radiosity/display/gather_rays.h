@@ -6,7 +6,7 @@
 // H. E. Rushmeier, "Realistic Image Synthesis for Scenes with Radiatively Participating Media", 1988). What errors the patches have
 // is then seen only in the mean over all that the point sees.
 //
-// Where a ray ends, what lights without an area bring there is found by a shadow ray, since that has edges; all else is the patch's.
+// Where a ray ends, what lights bring there is found by a shadow ray, since that has edges; all else is the patch's.
 // What patches emit by themselves is also asked for on purpose, by rays to points of them (emitters.h), and what comes in from outside through a
 // window by rays to points of it (openings.h).
 // SPDX-License-Identifier: MIT

@@ -9,6 +9,7 @@
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/radiosity/form_factors/point_form_factor.h"
 #include "tests/radiosity/scene_room.h"
+#include "tests/support/area_lights.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/light_shares.h"
 
@@ -299,9 +300,9 @@ TEST_F(RadiosityGatherTest, BesideTheConeOfASpotNothingIsSent) {
     EXPECT_NEAR(gatheredOverPaths(scene, {32, 32}), 1, 0.03) << "without a look at the cone it is fifty times as bright";
 }
 
-// A tile that hangs above a floor of one patch. Its shadow is so small that none of the lines to that patch may be in it; but it is most of
-// what the tile's underside sees.
-TEST_F(RadiosityGatherTest, ASmallShadowOnALargePatchIsSeenFromNearby) {
+/// A tile that hangs above a floor of one patch. Its shadow is so small that none of the lines to that patch may be in it; but it is most of
+/// what the tile's underside sees.
+scene::Scene tileAboveAFloor(const scene::Light& light) {
     scene::Scene scene;
     scene.materials.resize(2);
     scene.materials[0].diffuse = vec3(0.5f);
@@ -309,11 +310,24 @@ TEST_F(RadiosityGatherTest, ASmallShadowOnALargePatchIsSeenFromNearby) {
     testing::addObject(scene, scene::makeQuad({8, 8}), dmat4(1));
     testing::addObject(scene, scene::makeBox({0.3, 0.02, 0.3}), testing::translation({0.1, 0.2, 0.1}));
     scene.objects[1].partMaterials = {1};
-    scene.lights.push_back(testing::directionalLight({0, -1, 0}));
+    scene.lights.push_back(light);
     scene.camera.positionWorld = {0.1, 0.02, 0.101};
     scene.camera.targetWorld = {0.1, 0.19, 0.1};
     scene.camera.fovYDegrees = 60;
-    EXPECT_NEAR(gatheredOverPaths(scene, {32, 32}), 1, 0.03) << "with the floor taken for lit, because all lines arrive, it is 1.6";
+    return scene;
+}
+
+TEST_F(RadiosityGatherTest, ASmallShadowOnALargePatchIsSeenFromNearby) {
+    EXPECT_NEAR(gatheredOverPaths(tileAboveAFloor(testing::directionalLight({0, -1, 0})), {32, 32}), 1, 0.03)
+        << "with the floor taken for lit, because all lines arrive, it is 1.6";
+}
+
+// The same of lights with an area, which besides light the middle of the floor more than its mean.
+TEST_F(RadiosityGatherTest, SoASoftOneOfALightWithAnArea) {
+    scene::Light panel = testing::rectLight({0.1, 3, 0.1}, {0.3, 0, 0}, {0, 0, 0.3}), ball = testing::sphereLight({0.1, 3, 0.1}, 0.15);
+    panel.intensity = ball.intensity = 30;
+    EXPECT_NEAR(gatheredOverPaths(tileAboveAFloor(panel), {32, 32}), 1, 0.03) << "a panel";
+    EXPECT_NEAR(gatheredOverPaths(tileAboveAFloor(ball), {32, 32}), 1, 0.03) << "a ball";
 }
 
 // Where ceiling and wall meet, few pixels can take over from others, and each gathers along few rays. With their neighbours they make up for
