@@ -26,11 +26,13 @@ dvec3 rounded(const dvec3& value, double step) { return step * glm::round(value 
 
 } // namespace
 
-Eye inSteps(const Eye& eye, double longest, const trace::SceneTracer& tracer) {
+Eye inSteps(const Eye& eye, const trace::CentredBox& scene, const trace::SceneTracer& tracer) {
+    const double longest = glm::distance(scene.lower, scene.upper);
     if (!(longest > 0) || !std::isfinite(longest)) return eye; // there is nothing to see
+    const dvec3 firstWorld = tracer.world().originWorld + scene.lower;
     Eye result = eye;
     scene::Camera& camera = result.camera;
-    const dvec3 &eyeWorld = eye.camera.positionWorld, placeWorld = rounded(eyeWorld, kPlaceStep * longest);
+    const dvec3 &eyeWorld = eye.camera.positionWorld, placeWorld = firstWorld + rounded(eyeWorld - firstWorld, kPlaceStep * longest);
     const double distance = glm::distance(eyeWorld, placeWorld);
     if (distance > 0) {
         const trace::SurfacePoint between = tracer.nextPoint(eyeWorld - tracer.world().originWorld, trace::kNoPrimitive, (placeWorld - eyeWorld) / distance);

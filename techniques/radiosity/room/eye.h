@@ -18,7 +18,8 @@ struct Eye {
     friend bool operator==(const Eye&, const Eye&) = default;
 };
 
-/// The eye that stands for all near one. `longest`: size of the scene, metres. Where a surface lies between the two places, the place is kept.
-Eye inSteps(const Eye& eye, double longest, const trace::SceneTracer& tracer);
+/// The eye that stands for all near one. `scene`: a box around what it sees; its steps are shares of that and begin at its corner, so that a scene elsewhere
+/// has the same. Where a surface lies between the two places, the place is kept.
+Eye inSteps(const Eye& eye, const trace::CentredBox& scene, const trace::SceneTracer& tracer);
 
 } // namespace shadowlab::radiosity

@@ -47,12 +47,12 @@ struct Arrival {
 };
 using Path = std::array<Arrival, kReflections>;
 
-/// The diagonal of the box around all sides but those of a ground, metres.
-double sizeWithout(const Ground& ground, const Sides& sides) {
+/// Around all sides but those of a ground.
+trace::CentredBox boxWithout(const Ground& ground, const Sides& sides) {
     trace::CentredBox box;
     for (std::uint32_t f = 0; f < sides.exchanging; ++f)
         if (!ground.holds(f)) box = around(box, boxOf(sides.faces.all[f].polygon));
-    return glm::distance(box.lower, box.upper);
+    return box;
 }
 
 std::uint32_t sideOf(const Sides& sides, const trace::SurfacePoint& point) {
@@ -163,7 +163,7 @@ private:
 } // namespace
 
 Importance::Importance(const trace::SceneTracer& tracer, const Sides& sides, const Ground& ground, const Eye& eye) {
-    const std::vector<std::vector<Arrival>> found = arrivals(tracer, sides, inSteps(eye, sizeWithout(ground, sides), tracer));
+    const std::vector<std::vector<Arrival>> found = arrivals(tracer, sides, inSteps(eye, boxWithout(ground, sides), tracer));
     double weight = 0;
     std::size_t count = 0;
     for (const std::vector<Arrival>& ofFace : found) {
