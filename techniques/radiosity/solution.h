@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "techniques/radiosity/display/emitters.h"
 #include "techniques/radiosity/display/openings.h"
@@ -36,6 +38,8 @@ public:
 
     [[nodiscard]] const RoomCache& cache() const { return cache_; }
     [[nodiscard]] const Sources& sources() const { return sources_; }
+    /// By lamps: the share of each patch, 0..1. Their reflectance among the sources is that of the rest.
+    [[nodiscard]] std::span<const double> covered() const { return covered_; }
     [[nodiscard]] const Emitters& emitters() const { return emitters_; }
     [[nodiscard]] const Openings& openings() const { return openings_; }
     [[nodiscard]] const LightBalance& balance() const { return balance_; }
@@ -61,6 +65,7 @@ private:
     HemicubeCacheKey hemicubesKey_;
     SolutionCacheKey solutionKey_;
     Sources sources_;
+    std::vector<double> covered_;
     Emitters emitters_;
     Openings openings_; ///< of the room that `solutionKey_` names
     LightBalance balance_;

@@ -8,7 +8,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/math/perpendicular.h"
-#include "techniques/foundation/scene/query/shading.h"
+#include "techniques/radiosity/display/ray_end.h"
 
 namespace shadowlab::radiosity {
 
@@ -29,11 +29,14 @@ constexpr double kPlastic = 1.3247179572447460;
 const dvec2 kStep{1 / kPlastic, 1 / (kPlastic * kPlastic)};
 dvec2 pointOf(std::size_t number) { return glm::fract((static_cast<double>(number) + 0.5) * kStep); }
 
-/// What one ray chooses by, in the unit interval and square: which emitter or opening, and the place on it or on a light.
-struct RayNumbers {
-    double which = 0;
-    dvec2 where{0.0};
-};
+/// Of a ray. Its direction goes by pointOf(), and what is chosen where it ends must not go with that.
+RayNumbers numbersOf(std::size_t ray, const dvec2& shift) {
+    static const dvec2 onLightStep{std::sqrt(2.0), std::sqrt(3.0)}, onwardStep{std::sqrt(5.0), std::sqrt(7.0)};
+    const double number = static_cast<double>(ray) + 0.5;
+    const dvec2 turned(shift.y, shift.x);
+    return {glm::fract(kGolden * number + shift.x + shift.y), glm::fract(pointOf(ray) + turned), glm::fract(number * onLightStep + turned),
+            glm::fract(number * onwardStep + shift)};
+}
 
 /// Directions about a normal, one for each point of the sequence from `first` on; those near the normal are more likely, by the
 /// cosine, so all count alike. One turns by the same angle from each to the next, so that sine and cosine are found once.
@@ -57,74 +60,6 @@ private:
     dvec2 shift_, toward_{1, 0}; ///< toward_: cosine and sine of the angle from u_
     std::size_t next_;
 };
-
-/// The triangle's own normal, on the side from which the point was found.
-dvec3 geometricNormal(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
-    const trace::Triangle& t = tracer.bvh().triangles[point.primitive];
-    const dvec3 normal = glm::normalize(trace::frontOf(t));
-    return point.eyeOnFront ? normal : -normal;
-}
-
-std::optional<std::uint32_t> patchOf(const SurfaceCells& cells, const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
-    const scene::Mesh& mesh = *tracer.objectOf(point).mesh;
-    const std::uint32_t triangle = point.primitive - tracer.world().firstOfObject[tracer.world().objects[point.primitive]];
-    const dvec3 weights = point.barycentric();
-    dvec3 positionMesh(0);
-    for (int i = 0; i < 3; ++i)
-        positionMesh += weights[i] * dvec3(mesh.positionsMesh[mesh.triangles[triangle][i]]);
-    return patchAt(cells, point.primitive, point.eyeOnFront, vec3(positionMesh));
-}
-
-/// Does a light without an area arrive there? Where nothing stands before the patch, or something hides all of it, no ray is needed.
-bool isLit(const trace::SceneTracer& tracer, const trace::SurfacePoint& point, int number, const DirectLight& light, std::size_t patch) {
-    if (light.mayHaveEdge[patch] != 0) return tracer.visibility(point, number) == trace::Visibility::lit;
-    return light.visible[patch] > 0 && scene::lightShinesTo(tracer.scene().light(number), tracer.positionWorld(point));
-}
-
-/// What a light with an area brings there, W/m^2: without shadows by its closed form, and the share of it that arrives by a few lines to places spread over it.
-dvec3 fromLamp(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point, int number, std::size_t patch,
-               const RayNumbers& numbers) {
-    // Where lines found a penumbra on the patch; elsewhere nearly all have the same answer.
-    constexpr int kLinesInPenumbra = 4;
-    const DirectLight& light = solution.cache.light(number);
-    const double visible = light.visible[patch];
-    if (light.mayHaveEdge[patch] == 0 && visible == 0) return dvec3(0);
-    const LightSource& source = solution.cache.source(number);
-    const dvec3 at = tracer.positionWorld(point) - solution.cache.room().world().originWorld, normal = geometricNormal(tracer, point);
-    const dvec3 whole = source.irradiance(at, normal) * source.color();
-    if (light.mayHaveEdge[patch] == 0 || whole == dvec3(0)) return whole;
-    const int lines = visible > 0 && visible < 1 ? kLinesInPenumbra : 1;
-    double free = 0, all = 0;
-    for (int i = 0; i < lines; ++i) {
-        const LightLine line = source.line(at, normal, (i + numbers.where.x) / lines, glm::fract(numbers.where.y + i * kGolden));
-        const trace::Ray ray{tracer.positionCentred(point), line.fromCentred - at, trace::kContact, 1 - trace::kContact};
-        all += line.weight;
-        free += line.weight > 0 && !tracer.isBlocked(ray, point.primitive, number) ? line.weight : 0;
-    }
-    return (all > 0 ? free / all : visible) * whole;
-}
-
-/// What the surface there sends, W/m^2.
-struct Sent {
-    dvec3 emitted{0.0}, reflected{0.0};
-    double density = 0; ///< with which the point is chosen among those of emitters, 1/m^2
-};
-Sent radiosityAt(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point, const RayNumbers& numbers) {
-    // What a lamp sends is direct light, which has been counted.
-    if (tracer.objectOf(point).emitterOfLight >= 0) return {};
-    const auto patch = patchOf(solution.cache.cells(), tracer, point);
-    if (!patch) return {}; // the inside of a closed body: dark
-    dvec3 irradiance = solution.reflectedIrradiance[*patch];
-    for (int i = 0; i < static_cast<int>(tracer.scene().lights.size()); ++i) {
-        const scene::Light& source = tracer.scene().light(i);
-        const DirectLight& light = solution.cache.light(i);
-        if (scene::hasArea(source))
-            irradiance += fromLamp(solution, tracer, point, i, *patch, numbers);
-        else if (isLit(tracer, point, i, light, *patch))
-            irradiance += scene::irradiance(source, tracer.positionWorld(point), geometricNormal(tracer, point));
-    }
-    return {solution.sources.emission[*patch], solution.sources.reflectance[*patch] * irradiance, solution.emitters.density(*patch)};
-}
 
 /// The share of what is found in a direction that counts where two kinds of rays may find it, this one and another.
 double balanced(double density, double densityOfOther) { return density > 0 ? density / (density + densityOfOther) : 0; }
@@ -202,8 +137,7 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
     Gathered sum;
     for (std::size_t i = rays.first; i < rays.first + rays.count; ++i) {
         const dvec3 leaning = directions.next();
-        const RayNumbers numbers{glm::fract(kGolden * (static_cast<double>(i) + 0.5) + shift.x + shift.y),
-                                 glm::fract(pointOf(i) + dvec2(shift.y, shift.x))};
+        const RayNumbers numbers = numbersOf(i, shift);
         // A smooth normal leans: what would go through the surface is turned back to its side. (Simplified: near the rim of a round
         // body some directions then count twice, and others not at all.)
         const dvec3 direction = leaning - 2 * std::min(0.0, glm::dot(leaning, flat)) * flat;
@@ -213,7 +147,7 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
             const double distance = std::max(glm::distance(from, tracer.positionCentred(met)), kLeastDistance);
             sum.nearness += 1 / distance;
             ++sum.met;
-            const Sent sent = radiosityAt(solution, tracer, met, numbers);
+            const Sent sent = sentFrom(met, distance, solution, tracer, numbers);
             sum.irradiance += sent.reflected;
             if (sent.density > 0) { // rays are sent there on purpose as well
                 const double other = densityOfDirection(sent.density, distance, -glm::dot(direction, geometricNormal(tracer, met)));

@@ -9,7 +9,6 @@
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/radiosity/form_factors/point_form_factor.h"
 #include "tests/radiosity/scene_room.h"
-#include "tests/support/area_lights.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/light_shares.h"
 
@@ -266,68 +265,6 @@ TEST_F(RadiosityGatherTest, FewPixelsGatherForALargePicture) {
     EXPECT_EQ(all.size(), 86u * 86u);
     // The aim is 0.02. Where a pixel takes over without a look at its neighbours, the ceiling beside the lamp is too bright, and it is 0.011.
     EXPECT_LT(std::sqrt(squares * count) / sum, 0.01);
-}
-
-/// The mean of a picture by gathering, over that by paths: 1 but for chance, which is a hundredth with a million rays each if one of a hundred
-/// meets what is bright.
-double gatheredOverPaths(const scene::Scene& scene, ivec2 size) {
-    const auto mean = [&](const std::string& technique, const std::vector<std::string>& settings) {
-        double sum = 0;
-        for (const vec4& texel : testing::TechniqueSlot(technique, testing::snapshot(scene)).radiance(settings, size))
-            sum += static_cast<double>(texel.g);
-        return sum / (size.x * size.y);
-    };
-    const double paths = mean("ray-traced", {"samples=1024", "interreflection=true", "antialias=false"});
-    EXPECT_GT(paths, 1e-4) << "the picture is not black";
-    return mean("radiosity", {"patches=6", "gather=pixels", "gather-samples=1024"}) / paths;
-}
-
-// A floor of one patch, of which a spot with a hard edge reaches a hundredth. The wall beside sees the floor outside the cone, which is dark.
-TEST_F(RadiosityGatherTest, BesideTheConeOfASpotNothingIsSent) {
-    scene::Scene scene;
-    scene.materials.resize(1);
-    scene.materials[0].diffuse = vec3(0.5f);
-    testing::addObject(scene, scene::makeQuad({8, 8}), dmat4(1));
-    testing::addObject(scene, scene::makeQuad({2, 8}), glm::rotate(testing::translation({4, 1, 0}), glm::radians(90.0), dvec3(0, 0, 1)));
-    scene.lights.push_back(testing::pointLight({0, 3, 0}));
-    scene.lights[0].type = scene::LightType::spot;
-    scene.lights[0].directionWorld = {0, -1, 0};
-    scene.lights[0].coneDegrees = 18;
-    scene.lights[0].edgeDegrees = 0;
-    scene.camera.positionWorld = {1, 1, 0};
-    scene.camera.targetWorld = {4, 1, 0};
-    scene.camera.fovYDegrees = 30;
-    EXPECT_NEAR(gatheredOverPaths(scene, {32, 32}), 1, 0.03) << "without a look at the cone it is fifty times as bright";
-}
-
-/// A tile that hangs above a floor of one patch. Its shadow is so small that none of the lines to that patch may be in it; but it is most of
-/// what the tile's underside sees.
-scene::Scene tileAboveAFloor(const scene::Light& light) {
-    scene::Scene scene;
-    scene.materials.resize(2);
-    scene.materials[0].diffuse = vec3(0.5f);
-    scene.materials[1].diffuse = vec3(0.05f); // what it sends back is a mean of the whole floor for the patch, and so lost
-    testing::addObject(scene, scene::makeQuad({8, 8}), dmat4(1));
-    testing::addObject(scene, scene::makeBox({0.3, 0.02, 0.3}), testing::translation({0.1, 0.2, 0.1}));
-    scene.objects[1].partMaterials = {1};
-    scene.lights.push_back(light);
-    scene.camera.positionWorld = {0.1, 0.02, 0.101};
-    scene.camera.targetWorld = {0.1, 0.19, 0.1};
-    scene.camera.fovYDegrees = 60;
-    return scene;
-}
-
-TEST_F(RadiosityGatherTest, ASmallShadowOnALargePatchIsSeenFromNearby) {
-    EXPECT_NEAR(gatheredOverPaths(tileAboveAFloor(testing::directionalLight({0, -1, 0})), {32, 32}), 1, 0.03)
-        << "with the floor taken for lit, because all lines arrive, it is 1.6";
-}
-
-// The same of lights with an area, which besides light the middle of the floor more than its mean.
-TEST_F(RadiosityGatherTest, SoASoftOneOfALightWithAnArea) {
-    scene::Light panel = testing::rectLight({0.1, 3, 0.1}, {0.3, 0, 0}, {0, 0, 0.3}), ball = testing::sphereLight({0.1, 3, 0.1}, 0.15);
-    panel.intensity = ball.intensity = 30;
-    EXPECT_NEAR(gatheredOverPaths(tileAboveAFloor(panel), {32, 32}), 1, 0.03) << "a panel";
-    EXPECT_NEAR(gatheredOverPaths(tileAboveAFloor(ball), {32, 32}), 1, 0.03) << "a ball";
 }
 
 // Where ceiling and wall meet, few pixels can take over from others, and each gathers along few rays. With their neighbours they make up for

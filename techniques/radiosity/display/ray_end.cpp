@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/display/ray_end.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <glm/gtc/constants.hpp>
+
+#include "techniques/foundation/math/perpendicular.h"
+#include "techniques/foundation/scene/query/shading.h"
+#include "techniques/radiosity/room/sample_hemisphere.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+// Numbers that differ by multiples of the golden ratio fill the unit interval evenly.
+constexpr double kGoldenTurn = 0.6180339887498949;
+
+// A ray goes on where it is shorter than so many edges of the patch. From farther away the patch looks small, and the rays around it end on others.
+constexpr double kNear = 2;
+
+// A ray goes on so many times at most. Where it would go on then, as in a narrow gap, so much has been reflected that the patch's mean does for the rest.
+constexpr int kMostReflections = 4;
+
+/// What one ray finds.
+class RayEnd {
+public:
+    RayEnd(const GatherSolution& solution, const trace::SceneTracer& tracer, const RayNumbers& numbers)
+        : solution_(solution), tracer_(tracer), numbers_(numbers) {}
+
+    [[nodiscard]] Sent sentFrom(const trace::SurfacePoint& point, double distance, int reflections) const {
+        // What a lamp sends is direct light, which has been counted.
+        if (tracer_.objectOf(point).emitterOfLight >= 0) return {};
+        const auto patch = patchOf(point);
+        if (!patch) return {}; // the inside of a closed body: dark
+        dvec3 irradiance = goesOn(*patch, distance, reflections) ? onward(point, reflections) : solution_.reflectedIrradiance[*patch];
+        for (int i = 0; i < static_cast<int>(tracer_.scene().lights.size()); ++i) {
+            const scene::Light& source = tracer_.scene().light(i);
+            if (scene::hasArea(source))
+                irradiance += fromLamp(point, i, *patch);
+            else if (isLit(point, i, *patch))
+                irradiance += scene::irradiance(source, tracer_.positionWorld(point), geometricNormal(tracer_, point));
+        }
+        // The ray has come to a place that no lamp covers.
+        const double covered = solution_.covered[*patch];
+        const dvec3 reflectance = covered < 1 ? solution_.sources.reflectance[*patch] / (1 - covered) : dvec3(0);
+        return {solution_.sources.emission[*patch], reflectance * irradiance, solution_.emitters.density(*patch)};
+    }
+
+private:
+    [[nodiscard]] std::optional<std::uint32_t> patchOf(const trace::SurfacePoint& point) const {
+        const scene::Mesh& mesh = *tracer_.objectOf(point).mesh;
+        const std::uint32_t triangle = point.primitive - tracer_.world().firstOfObject[tracer_.world().objects[point.primitive]];
+        const dvec3 weights = point.barycentric();
+        dvec3 positionMesh(0);
+        for (int i = 0; i < 3; ++i)
+            positionMesh += weights[i] * dvec3(mesh.positionsMesh[mesh.triangles[triangle][i]]);
+        return patchAt(solution_.cache.cells(), point.primitive, point.eyeOnFront, vec3(positionMesh));
+    }
+
+    /// Simplified: where emitters or openings bring much of the light, only rays sent to them on purpose find it without noise, and the patch's mean is kept.
+    [[nodiscard]] bool goesOn(std::size_t patch, double distance, int reflections) const {
+        return reflections < kMostReflections && solution_.emitters.isEmpty() && solution_.openings.isEmpty() &&
+               distance * distance < kNear * kNear * solution_.cache.room().allPatches()[patch].area;
+    }
+
+    /// The irradiance by other surfaces, W/m^2, as one ray finds it.
+    [[nodiscard]] dvec3 onward(const trace::SurfacePoint& point, int reflections) const {
+        const dvec3 normal = geometricNormal(tracer_, point), tangent = perpendicularTo(normal);
+        const dvec2 unit = glm::fract(numbers_.onward + reflections * kGoldenTurn);
+        const trace::SurfacePoint met = tracer_.nextPoint(point, cosineDirection({tangent, glm::cross(normal, tangent)}, normal, unit));
+        if (!met) return glm::pi<double>() * solution_.outside;
+        const Sent sent = sentFrom(met, glm::distance(tracer_.positionCentred(point), tracer_.positionCentred(met)), reflections + 1);
+        return sent.emitted + sent.reflected;
+    }
+
+    /// Does a light without an area arrive there? Where nothing stands before the patch, or something hides all of it, no ray is needed.
+    [[nodiscard]] bool isLit(const trace::SurfacePoint& point, int number, std::size_t patch) const {
+        const DirectLight& light = solution_.cache.light(number);
+        if (light.mayHaveEdge[patch] != 0) return tracer_.visibility(point, number) == trace::Visibility::lit;
+        return light.visible[patch] > 0 && scene::lightShinesTo(tracer_.scene().light(number), tracer_.positionWorld(point));
+    }
+
+    /// What a light with an area brings, W/m^2: without shadows by its closed form, and the share of it that arrives by a few lines to places spread over it.
+    [[nodiscard]] dvec3 fromLamp(const trace::SurfacePoint& point, int number, std::size_t patch) const {
+        // Where lines found a penumbra on the patch; elsewhere nearly all have the same answer.
+        constexpr int kLinesInPenumbra = 4;
+        const DirectLight& light = solution_.cache.light(number);
+        const double visible = light.visible[patch];
+        if (light.mayHaveEdge[patch] == 0 && visible == 0) return dvec3(0);
+        const LightSource& source = solution_.cache.source(number);
+        const dvec3 at = tracer_.positionWorld(point) - solution_.cache.room().world().originWorld, normal = geometricNormal(tracer_, point);
+        const dvec3 whole = source.irradiance(at, normal) * source.color();
+        if (light.mayHaveEdge[patch] == 0 || whole == dvec3(0)) return whole;
+        const int lines = visible > 0 && visible < 1 ? kLinesInPenumbra : 1;
+        double free = 0, all = 0;
+        for (int i = 0; i < lines; ++i) {
+            const LightLine line = source.line(at, normal, (i + numbers_.onLight.x) / lines, glm::fract(numbers_.onLight.y + i * kGoldenTurn));
+            const trace::Ray ray{tracer_.positionCentred(point), line.fromCentred - at, trace::kContact, 1 - trace::kContact};
+            all += line.weight;
+            free += line.weight > 0 && !tracer_.isBlocked(ray, point.primitive, number) ? line.weight : 0;
+        }
+        return (all > 0 ? free / all : visible) * whole;
+    }
+
+    const GatherSolution& solution_;
+    const trace::SceneTracer& tracer_;
+    const RayNumbers& numbers_;
+};
+
+} // namespace
+
+Sent sentFrom(const trace::SurfacePoint& point, double distance, const GatherSolution& solution, const trace::SceneTracer& tracer, const RayNumbers& numbers) {
+    return RayEnd(solution, tracer, numbers).sentFrom(point, distance, 0);
+}
+
+dvec3 geometricNormal(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
+    const trace::Triangle& t = tracer.bvh().triangles[point.primitive];
+    const dvec3 normal = glm::normalize(trace::frontOf(t));
+    return point.eyeOnFront ? normal : -normal;
+}
+
+} // namespace shadowlab::radiosity
