@@ -20,9 +20,6 @@ constexpr double kLeastDistance = 1e-9;
 // A ray that ends before this share of its way is lacking has arrived: meshes are rounded to floats.
 constexpr double kSamePlace = 1e-5;
 
-// The golden ratio less one: its multiples fill the unit interval evenly.
-constexpr double kGolden = 0.6180339887498949;
-
 /// The points of a sequence whose beginnings fill the unit square evenly, however long they are: multiples of the powers of 1 / p,
 /// where p^3 = p + 1 (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
 constexpr double kPlastic = 1.3247179572447460;

@@ -15,9 +15,6 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Numbers that differ by multiples of the golden ratio fill the unit interval evenly.
-constexpr double kGoldenTurn = 0.6180339887498949;
-
 // A ray goes on where it is shorter than so many edges of the patch. From farther away the patch looks small, and the rays around it end on others.
 constexpr double kNear = 2;
 
@@ -69,7 +66,7 @@ private:
     /// The irradiance by other surfaces, W/m^2, as one ray finds it.
     [[nodiscard]] dvec3 onward(const trace::SurfacePoint& point, int reflections) const {
         const dvec3 normal = geometricNormal(tracer_, point), tangent = perpendicularTo(normal);
-        const dvec2 unit = glm::fract(numbers_.onward + reflections * kGoldenTurn);
+        const dvec2 unit = glm::fract(numbers_.onward + reflections * kGolden);
         const trace::SurfacePoint met = tracer_.nextPoint(point, cosineDirection({tangent, glm::cross(normal, tangent)}, normal, unit));
         if (!met) return glm::pi<double>() * solution_.outside;
         const Sent sent = sentFrom(met, glm::distance(tracer_.positionCentred(point), tracer_.positionCentred(met)), reflections + 1);
@@ -97,7 +94,7 @@ private:
         const int lines = visible > 0 && visible < 1 ? kLinesInPenumbra : 1;
         double free = 0, all = 0;
         for (int i = 0; i < lines; ++i) {
-            const LightLine line = source.line(at, normal, (i + numbers_.onLight.x) / lines, glm::fract(numbers_.onLight.y + i * kGoldenTurn));
+            const LightLine line = source.line(at, normal, (i + numbers_.onLight.x) / lines, glm::fract(numbers_.onLight.y + i * kGolden));
             const trace::Ray ray{tracer_.positionCentred(point), line.fromCentred - at, trace::kContact, 1 - trace::kContact};
             all += line.weight;
             free += line.weight > 0 && !tracer_.isBlocked(ray, point.primitive, number) ? line.weight : 0;

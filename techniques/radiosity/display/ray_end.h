@@ -10,6 +10,9 @@
 
 namespace shadowlab::radiosity {
 
+/// The golden ratio less one: its multiples fill the unit interval evenly.
+inline constexpr double kGolden = 0.6180339887498949;
+
 /// What a ray chooses by, in the unit interval and square.
 struct RayNumbers {
     double which = 0;    ///< which emitter or opening

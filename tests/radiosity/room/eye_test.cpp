@@ -49,7 +49,6 @@ TEST(Eye, OneStandsForAllNearIt) {
         EXPECT_LE(glm::distance(stands.camera.positionWorld, eye.camera.positionWorld), 0.25 * glm::root_three<double>() + 1e-12) << i;
         const double apart = glm::degrees(std::acos(glm::dot(directionOf(stands.camera), directionOf(eye.camera))));
         EXPECT_LE(2 * apart, stands.camera.fovYDegrees - eye.camera.fovYDegrees) << i << ": the picture is widened by as much";
-        EXPECT_EQ(stands, inSteps(eye, boxOfDiagonal(8, tracer), tracer));
         if (taken.empty() || taken.back() != stands) taken.push_back(stands);
     }
     EXPECT_LE(taken.size(), 20u) << "of 180 pictures";
