@@ -29,6 +29,21 @@ struct Part {
 
 } // namespace
 
+/// Products with these tell where on the light's plane something is seen, and how far on the way there it is.
+struct AreaVisibility::Asker::LightPlane {
+    explicit LightPlane(const SeenLight& seen) {
+        const dvec3 across = glm::cross(seen.axisU, seen.axisV);
+        unitArea = glm::length(across);
+        placeU = glm::cross(seen.axisV, across) / (unitArea * unitArea);
+        placeV = glm::cross(across, seen.axisU) / (unitArea * unitArea);
+        depth = across / glm::dot(across, seen.middle);
+        middle = dvec2(glm::dot(placeU, seen.middle), glm::dot(placeV, seen.middle));
+    }
+    dvec3 placeU, placeV, depth;
+    dvec2 middle;
+    double unitArea; ///< m^2, of the square between the axes
+};
+
 AreaShare AreaVisibility::Asker::ask(const SurfacePoint& point, double move) {
     // Within a sphere there is no disc; its centre answers for it.
     if (!lookFrom(point, move))
@@ -101,7 +116,7 @@ bool AreaVisibility::Asker::lookFrom(const SurfacePoint& point, double move) {
         if (seen_.isDisc) change_ += 4 * move_ / glm::length(toLight);
     }
     if (outline_.size() < 3) return true; // all of it is below
-    addEdges();
+    addLines();
     addCrossings();
     if (move_ > 0) mindWhatIsNear(up);
     return true;
@@ -122,43 +137,45 @@ double AreaVisibility::Asker::heightOver(const Triangle& triangle) const {
     return glm::dot(frontOf(triangle), positionCentred_ - triangle.a);
 }
 
-void AreaVisibility::Asker::addEdges() {
-    const dvec3 across = glm::cross(seen_.axisU, seen_.axisV);
-    // Products with these tell where on the light's plane something is seen, and how far on the way there it is.
-    const dvec3 placeU = glm::cross(seen_.axisV, across) / glm::dot(across, across);
-    const dvec3 placeV = glm::cross(across, seen_.axisU) / glm::dot(across, across);
-    const dvec3 depth = across / glm::dot(across, seen_.middle);
-    const dvec2 middle(glm::dot(placeU, seen_.middle), glm::dot(placeV, seen_.middle));
-    const dvec2 half = (1 + kMargin) * seen_.half;
-    const double aslant = farthestOnLight() * glm::length(depth);
+/// Adds what of edges and of cuts into a sphere is seen before the light.
+void AreaVisibility::Asker::addLines() {
+    const LightPlane plane(seen_);
     for (const std::uint32_t number : obstacles_->edges) {
         const SurfaceEdges::Edge& edge = owner_.edges_.edge(number);
-        const dvec3 first = edge.firstCentred - positionCentred_, second = edge.secondCentred - positionCentred_;
-        // The part of it that is seen before the light and some way around.
-        const double atFirst = glm::dot(depth, first), atSecond = glm::dot(depth, second);
-        Part part;
-        part.keep(1 - atFirst, 1 - atSecond);
-        const dvec2 u(glm::dot(placeU, first) - atFirst * middle.x, glm::dot(placeU, second) - atSecond * middle.x);
-        const dvec2 v(glm::dot(placeV, first) - atFirst * middle.y, glm::dot(placeV, second) - atSecond * middle.y);
-        part.keep(half.x * atFirst - u.x, half.x * atSecond - u.y);
-        part.keep(half.x * atFirst + u.x, half.x * atSecond + u.y);
-        part.keep(half.y * atFirst - v.x, half.y * atSecond - v.y);
-        part.keep(half.y * atFirst + v.x, half.y * atSecond + v.y);
-        if (part.begin > part.end || turnAt(edge) == 0) continue;
-        const dvec3 normal = glm::cross(first, second);
-        contours_.push_back({seen_.product(normal), seen_.product(glm::cross(normal, first)),
-                             seen_.product(glm::cross(second, normal))});
-        if (!(move_ > 0)) continue;
-        // What stands at a share t of the way moves by (1 - t) / t on the light's plane, against the point, and more where that
-        // is seen aslant; the disc of a sphere itself moves by less than the point. To first order a contour sweeps its length
-        // times its way; twice that is well beyond.
-        const double atBegin = glm::mix(atFirst, atSecond, part.begin), atEnd = glm::mix(atFirst, atSecond, part.end);
-        const double nearest = std::min(atBegin, atEnd);
-        const double length =
-            glm::length(glm::mix(first, second, part.begin) / atBegin - glm::mix(first, second, part.end) / atEnd);
-        const double swept = std::min(length, seen_.diameter()) * move_ * aslant * (1 / nearest);
-        change_ += nearest > 0 ? 2 * swept / (seen_.area * glm::length(across)) : 1;
+        addLine(plane, edge.firstCentred, edge.secondCentred, [&] { return turnAt(edge) != 0; });
     }
+    for (const std::uint32_t number : obstacles_->cuts) {
+        const SphereCut& cut = owner_.cuts_[number];
+        addLine(plane, cut.firstCentred, cut.secondCentred, [&] { return !isLeft(cut.primitive); });
+    }
+}
+
+template <typename IsContour>
+void AreaVisibility::Asker::addLine(const LightPlane& plane, const dvec3& firstCentred, const dvec3& secondCentred, const IsContour& isContour) {
+    const dvec3 first = firstCentred - positionCentred_, second = secondCentred - positionCentred_;
+    const dvec2 half = (1 + kMargin) * seen_.half;
+    // The part of it that is seen before the light and some way around.
+    const double atFirst = glm::dot(plane.depth, first), atSecond = glm::dot(plane.depth, second);
+    Part part;
+    part.keep(1 - atFirst, 1 - atSecond);
+    const dvec2 u(glm::dot(plane.placeU, first) - atFirst * plane.middle.x, glm::dot(plane.placeU, second) - atSecond * plane.middle.x);
+    const dvec2 v(glm::dot(plane.placeV, first) - atFirst * plane.middle.y, glm::dot(plane.placeV, second) - atSecond * plane.middle.y);
+    part.keep(half.x * atFirst - u.x, half.x * atSecond - u.y);
+    part.keep(half.x * atFirst + u.x, half.x * atSecond + u.y);
+    part.keep(half.y * atFirst - v.x, half.y * atSecond - v.y);
+    part.keep(half.y * atFirst + v.x, half.y * atSecond + v.y);
+    if (part.begin > part.end || !isContour()) return;
+    const dvec3 normal = glm::cross(first, second);
+    contours_.push_back({seen_.product(normal), seen_.product(glm::cross(normal, first)), seen_.product(glm::cross(second, normal))});
+    if (!(move_ > 0)) return;
+    // What stands at a share t of the way moves by (1 - t) / t on the light's plane, against the point, and more where that
+    // is seen aslant; the disc of a sphere itself moves by less than the point. To first order a contour sweeps its length
+    // times its way; twice that is well beyond.
+    const double atBegin = glm::mix(atFirst, atSecond, part.begin), atEnd = glm::mix(atFirst, atSecond, part.end);
+    const double nearest = std::min(atBegin, atEnd);
+    const double length = glm::length(glm::mix(first, second, part.begin) / atBegin - glm::mix(first, second, part.end) / atEnd);
+    const double swept = std::min(length, seen_.diameter()) * move_ * farthestOnLight() * glm::length(plane.depth) * (1 / nearest);
+    change_ += nearest > 0 ? 2 * swept / (seen_.area * plane.unitArea) : 1;
 }
 
 /// Handles triangles so near that they might come before the light from outside of the margin in which contours are
@@ -183,7 +200,7 @@ void AreaVisibility::Asker::mindWhatIsNear(const dvec3& up) {
 
 double AreaVisibility::Asker::farthestOnLight() const { return glm::length(seen_.middle) + 0.5 * seen_.diameter(); }
 
-/// A triangle that the light's plane, or the contact at the point, cuts ends there too.
+/// A triangle that the light's plane, or the contact at the point, cuts ends there too. (At a sphere it ends where it cuts that.)
 void AreaVisibility::Asker::addCrossings() {
     for (const std::uint32_t primitive : obstacles_->near) {
         if (isLeft(primitive)) continue;
@@ -191,6 +208,7 @@ void AreaVisibility::Asker::addCrossings() {
         const double height = -heightOver(triangle);
         const dvec3 depth = seen_.product(height < 0 ? -frontOf(triangle) : frontOf(triangle));
         for (const double end : {kContact, 1 - kContact}) {
+            if (seen_.isDisc && end > kContact) continue;
             // The triangle is met at |height| / depth of the way.
             const dvec3 line = depth - dvec3(0, 0, std::abs(height) / end);
             if (std::abs(line.z) > seen_.range(line)) continue;
@@ -219,7 +237,7 @@ bool AreaVisibility::Asker::isFree(dvec2 place) {
 /// True if no triangle covers that place of the light. `perforated`: tests only triangles with holes, as if they were
 /// solid; else only those without.
 bool AreaVisibility::Asker::isFreeOf(bool perforated, dvec2 place) {
-    const Ray ray{positionCentred_, seen_.toward(place), kContact, 1 - kContact};
+    const Ray ray{positionCentred_, seen_.toward(place), kContact, (1 - kContact) * seen_.reach(place)};
     if (!isUsable(ray)) return true;
     const auto accept = [&](std::uint32_t primitive) {
         return owner_.casts_[primitive] && !isLeft(primitive) &&
@@ -253,7 +271,7 @@ AreaVisibility::Asker::Seen AreaVisibility::Asker::sampledSeenOf(const LightPiec
     double free = 0, all = 0, freeIrradiance = 0, allIrradiance = 0;
     const auto look = [&](dvec2 place) {
         const dvec3 toward = seen_.toward(place);
-        const Ray ray{positionCentred_, toward, kContact, 1 - kContact};
+        const Ray ray{positionCentred_, toward, kContact, (1 - kContact) * seen_.reach(place)};
         const double seen = bvh_.any(ray, accept, goesOn) == kNoPrimitive ? 1 : 0;
         // What a place adds to the irradiance goes with both cosines over the square of its distance.
         const double squared = glm::dot(toward, toward);

@@ -31,7 +31,11 @@ private:
     [[nodiscard]] bool isLeft(std::uint32_t primitive) const {
         return owner_.tracer_.isLeft(point_.primitive, primitive);
     }
-    void addEdges();
+    struct LightPlane;
+    void addLines();
+    /// `isContour()` is asked last: whether the line from one place to the other is one for this point.
+    template <typename IsContour>
+    void addLine(const LightPlane& plane, const dvec3& firstCentred, const dvec3& secondCentred, const IsContour& isContour);
     void addCrossings();
     void mindWhatIsNear(const dvec3& up);
     [[nodiscard]] double farthestOnLight() const;

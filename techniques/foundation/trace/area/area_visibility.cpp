@@ -50,6 +50,10 @@ AreaVisibility::AreaVisibility(const SceneTracer& tracer, int light)
     if (!scene::hasArea(light_)) throw std::logic_error("the visible area of a light that has none");
     const std::span<const std::uint8_t> casters = tracer.castersFor(light);
     casts_.assign(casters.begin(), casters.end());
+    if (light_.type != scene::LightType::sphere) return;
+    const Shaft around(box_, box_); // what touches the light's box
+    for (const std::uint32_t primitive : around.triangles(tracer.bvh(), [&](std::uint32_t candidate) { return casts_[candidate] != 0; }))
+        addSphereCuts(tracer.bvh().triangles[primitive], primitive, centreCentred_, light_.radius, cuts_);
 }
 
 double AreaVisibility::share(const SurfacePoint& point) const {

@@ -4,9 +4,9 @@
 // cover the light changes. That is decided per edge as for a silhouette: each triangle has a side on which the point is,
 // and an edge counts where its triangles' turns, each with the sign of that side, do not add up to nothing. So the light is
 // cut along the contours alone (uniform_pieces.h), and one ray for each piece tells whether it is seen. An edge between two
-// triangles beside each other never matters, however fine the mesh.
+// triangles beside each other never matters, however fine the mesh. Where a triangle goes into a sphere, what it hides ends in a circle (sphere_cuts.h).
 //
-// The share is right up to the rounding of double; what of a sphere counts is said in seen_light.h. Triangles with holes in them:
+// The share is right up to the rounding of double, but for those circles, which are made of chords. Triangles with holes in them:
 // pieces that such a triangle covers are asked with rays, in proportion about 1024 for the whole light, so a share is then
 // wrong by at most about 1/64 (one standard deviation of as many independent rays, which these, spread evenly, stay below).
 // SPDX-License-Identifier: MIT
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "techniques/foundation/trace/area/shaft.h"
+#include "techniques/foundation/trace/area/sphere_cuts.h"
 #include "techniques/foundation/trace/area/surface_edges.h"
 #include "techniques/foundation/trace/scene_tracer.h"
 
@@ -80,6 +81,7 @@ private:
     CentredBox box_;                  ///< of the light
     std::vector<std::uint8_t> casts_; ///< of each triangle: SceneTracer::castersFor()
     SurfaceEdges edges_;
+    std::vector<SphereCut> cuts_; ///< of all triangles that cast, if the light is a sphere
 
     /// That margin, in shares of the light's size beyond its border.
     static constexpr double kMargin = 0.25;

@@ -54,6 +54,7 @@ public:
     }
     [[nodiscard]] bool mayBeContour(std::uint32_t edgeNumber) const {
         const SurfaceEdges::Edge& edge = owner_.edges_.edge(edgeNumber);
+        if (isWithinSphere(edge.firstCentred) && isWithinSphere(edge.secondCentred)) return false;
         if (!shaft.mayTouch(edge.firstCentred, edge.secondCentred) ||
             bounds_.isBelow({edge.firstCentred, edge.secondCentred}))
             return false;
@@ -66,6 +67,9 @@ public:
         }
         return turn != 0;
     }
+    [[nodiscard]] bool mayMatter(const SphereCut& cut) const {
+        return shaft.mayTouch(cut.firstCentred, cut.secondCentred) && !isBelow(triangleOf(cut.primitive));
+    }
     [[nodiscard]] const Triangle& triangleOf(std::uint32_t primitive) const {
         return owner_.tracer_.bvh().triangles[primitive];
     }
@@ -73,6 +77,11 @@ public:
     const Shaft shaft;
 
 private:
+    /// What lies there hides nothing of it.
+    [[nodiscard]] bool isWithinSphere(const dvec3& placeCentred) const {
+        return owner_.light_.type == scene::LightType::sphere && glm::distance(placeCentred, owner_.centreCentred_) < owner_.light_.radius;
+    }
+
     const AreaVisibility& owner_;
     const Bounds& bounds_;
     CentredBox aroundPoints_, aroundLight_;
@@ -89,6 +98,8 @@ AreaVisibility::Obstacles::Obstacles(const AreaVisibility& owner, const Bounds& 
         for (const std::uint32_t edge : owner.edges_.ofPrimitive(primitive))
             if (filter.mayBeContour(edge)) edges.push_back(edge);
     }
+    for (std::uint32_t cut = 0; cut < owner.cuts_.size(); ++cut)
+        if (filter.mayMatter(owner.cuts_[cut])) cuts.push_back(cut);
     std::ranges::sort(edges); // each comes from all of its triangles
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
@@ -98,6 +109,8 @@ AreaVisibility::Obstacles AreaVisibility::Obstacles::narrowed(const AreaVisibili
     Obstacles left;
     for (const std::uint32_t edge : edges)
         if (filter.mayBeContour(edge)) left.edges.push_back(edge);
+    for (const std::uint32_t cut : cuts)
+        if (filter.mayMatter(owner.cuts_[cut])) left.cuts.push_back(cut);
     for (const std::uint32_t primitive : near)
         if (filter.mayMatter(primitive) && filter.isNear(filter.triangleOf(primitive))) left.near.push_back(primitive);
     for (const std::uint32_t primitive : perforated)

@@ -37,9 +37,10 @@ public:
     /// What is left for a part of the group.
     [[nodiscard]] Obstacles narrowed(const AreaVisibility& owner, const Bounds& bounds) const;
 
-    [[nodiscard]] std::size_t count() const { return edges.size() + near.size() + perforated.size(); }
+    [[nodiscard]] std::size_t count() const { return edges.size() + cuts.size() + near.size() + perforated.size(); }
 
     std::vector<std::uint32_t> edges;      ///< that may be contours for one of the points
+    std::vector<std::uint32_t> cuts;       ///< likewise: of AreaVisibility::cuts_
     std::vector<std::uint32_t> near;       ///< triangles that may touch the light, or a point
     std::vector<std::uint32_t> perforated; ///< triangles with holes
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/trace/area/seen_light.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -15,6 +16,14 @@ constexpr std::array<dvec2, 4> kSquare = {dvec2(-0.5, -0.5), dvec2(0.5, -0.5), d
 constexpr std::array<dvec2, 4> kAroundDisc = {dvec2(-1, -1), dvec2(1, -1), dvec2(1, 1), dvec2(-1, 1)};
 
 } // namespace
+
+// With d the way to a place of the disc, and t that to its rim, a tangent, the product of d with the way to the centre is t^2, and so is the
+// product of the two distances to the sphere times the centre's: s = t^2 / (t^2 + sqrt(t^4 - d^2 t^2)).
+double SeenLight::reach(dvec2 place) const {
+    if (!isDisc) return 1;
+    const double beforeRim = std::max(1 - glm::dot(place, place), 0.0) * glm::dot(axisU, axisU); // t^2 - d^2
+    return 1 / (1 + std::sqrt(beforeRim / (glm::dot(axisU, axisU) + glm::dot(middle, middle))));
+}
 
 std::optional<SeenLight> seenLight(const scene::Light& light, const dvec3& toLight) {
     if (light.type == scene::LightType::rect)

@@ -1,7 +1,7 @@
 // An area light as one point sees it: a rect or a disc in a plane.
 //
-// Of a rect it is the rect. Of a sphere it is the disc inside the circle in which the tangents from the point touch it: all
-// that stands outside the sphere stands before the sphere exactly where it stands before that disc.
+// Of a rect it is the rect. Of a sphere it is the disc inside the circle in which the tangents from the point touch it: what stands outside
+// the sphere and on its near side stands before the sphere exactly where it stands before that disc.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -20,6 +20,8 @@ struct SeenLight {
     double area = 0;                ///< of all those places
 
     [[nodiscard]] dvec3 toward(dvec2 place) const { return middle + place.x * axisU + place.y * axisV; }
+    /// The share of the way toward(place) at which the light is met: 1, of a sphere where the way enters it.
+    [[nodiscard]] double reach(dvec2 place) const;
     /// The product of a vector with toward(place), as a linear function of the place: x * place.x + y * place.y + z.
     [[nodiscard]] dvec3 product(const dvec3& vector) const {
         return {glm::dot(vector, axisU), glm::dot(vector, axisV), glm::dot(vector, middle)};
