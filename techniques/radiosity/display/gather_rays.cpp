@@ -2,6 +2,7 @@
 #include "techniques/radiosity/display/gather_rays.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -26,13 +27,19 @@ constexpr double kPlastic = 1.3247179572447460;
 const dvec2 kStep{1 / kPlastic, 1 / (kPlastic * kPlastic)};
 dvec2 pointOf(std::size_t number) { return glm::fract((static_cast<double>(number) + 0.5) * kStep); }
 
-/// Of a ray. Its direction goes by pointOf(), and what is chosen where it ends must not go with that.
+/// Of a ray. Its direction goes by pointOf(), and no choice where it ends must go with that or with one another: so each goes by multiples of
+/// other square roots of primes (R. D. Richtmyer, "The Evaluation of Definite Integrals, and a Quasi-Monte-Carlo Method Based on the Properties
+/// of Algebraic Numbers", Los Alamos 1951).
 RayNumbers numbersOf(std::size_t ray, const dvec2& shift) {
-    static const dvec2 onLightStep{std::sqrt(2.0), std::sqrt(3.0)}, onwardStep{std::sqrt(5.0), std::sqrt(7.0)};
+    static const dvec2 onLightStep{std::sqrt(2.0), std::sqrt(3.0)};
+    static const std::array<dvec2, kMostReflections> onwardSteps = {dvec2(std::sqrt(5.0), std::sqrt(7.0)), dvec2(std::sqrt(11.0), std::sqrt(13.0)),
+                                                                    dvec2(std::sqrt(17.0), std::sqrt(19.0)), dvec2(std::sqrt(23.0), std::sqrt(29.0))};
     const double number = static_cast<double>(ray) + 0.5;
     const dvec2 turned(shift.y, shift.x);
-    return {glm::fract(kGolden * number + shift.x + shift.y), glm::fract(pointOf(ray) + turned), glm::fract(number * onLightStep + turned),
-            glm::fract(number * onwardStep + shift)};
+    RayNumbers numbers{glm::fract(kGolden * number + shift.x + shift.y), glm::fract(pointOf(ray) + turned), glm::fract(number * onLightStep + turned), {}};
+    for (std::size_t i = 0; i < onwardSteps.size(); ++i)
+        numbers.onward[i] = glm::fract(number * onwardSteps[i] + shift);
+    return numbers;
 }
 
 /// Directions about a normal, one for each point of the sequence from `first` on; those near the normal are more likely, by the

@@ -18,9 +18,6 @@ namespace {
 // A ray goes on where it is shorter than so many edges of the patch. From farther away the patch looks small, and the rays around it end on others.
 constexpr double kNear = 2;
 
-// A ray goes on so many times at most. Where it would go on then, as in a narrow gap, so much has been reflected that the patch's mean does for the rest.
-constexpr int kMostReflections = 4;
-
 /// What one ray finds.
 class RayEnd {
 public:
@@ -66,7 +63,7 @@ private:
     /// The irradiance by other surfaces, W/m^2, as one ray finds it.
     [[nodiscard]] dvec3 onward(const trace::SurfacePoint& point, int reflections) const {
         const dvec3 normal = geometricNormal(tracer_, point), tangent = perpendicularTo(normal);
-        const dvec2 unit = glm::fract(numbers_.onward + reflections * kGolden);
+        const dvec2 unit = numbers_.onward[static_cast<std::size_t>(reflections)];
         const trace::SurfacePoint met = tracer_.nextPoint(point, cosineDirection({tangent, glm::cross(normal, tangent)}, normal, unit));
         if (!met) return glm::pi<double>() * solution_.outside;
         const Sent sent = sentFrom(met, glm::distance(tracer_.positionCentred(point), tracer_.positionCentred(met)), reflections + 1);

@@ -88,5 +88,22 @@ TEST_F(RadiosityRayEndTest, UnderABallItIsAsDarkAsItIs) {
     EXPECT_NEAR(gatheredOverPaths(scene, {32, 32}, "patches=300"), 1, 0.03) << "by the means of patches it is too bright";
 }
 
+// Rays that go on several times choose each direction anew. In a room of one patch for each wall all of them do.
+TEST_F(RadiosityRayEndTest, EveryReflectionGoesItsOwnWay) {
+    scene::Scene scene;
+    scene.materials.resize(2);
+    scene.materials[0].diffuse = vec3(0.5f);
+    scene.materials[1].emission = vec3(1.0f);
+    testing::addObject(scene, scene::makeBox({2, 2, 2}), dmat4(1));
+    testing::addObject(scene, scene::makeQuad({2, 2}), glm::rotate(testing::translation({0, 0.99, 0}), glm::radians(180.0), dvec3(1, 0, 0))); // a ceiling that glows
+    scene.objects[1].partMaterials = {1};
+    scene.camera.positionWorld = {0, 0, 0.5};
+    scene.camera.targetWorld = {0, 0, -1};
+    scene.camera.fovYDegrees = 60;
+    scene.camera.near = 0.01;
+    // Half of all rays meet what glows, so that a million of them are right to a thousandth.
+    EXPECT_NEAR(gatheredOverPaths(scene, {32, 32}), 1, 0.005) << "where one direction goes with the next it is 0.94";
+}
+
 } // namespace
 } // namespace shadowlab
