@@ -47,11 +47,8 @@ void Solution::restartIfChanged(const scene::Snapshot& snapshot, const Radiosity
     if (key.room != solutionKey_.room) openings_ = Openings(cache_.room());
     solutionKey_ = key;
     sources_ = sourcesOf(cache_.room(), cache_.lights(), radianceOutside(*snapshot, params));
-    covered_.resize(sources_.size());
-    for (std::size_t i = 0; i < sources_.size(); ++i) {
-        covered_[i] = coveredByLamps(cache_.room().allPatches()[i], snapshot->lights, cache_.room().world().originWorld);
-        sources_.reflectance[i] *= 1 - covered_[i];
-    }
+    for (std::size_t i = 0; i < sources_.size(); ++i)
+        sources_.reflectance[i] *= 1 - coveredByLamps(cache_.room().allPatches()[i], snapshot->lights, cache_.room().world().originWorld);
     emitters_ = Emitters(cache_.room(), sources_);
     balance_.restart(cache_.exchange(), sources_, params.solver, params.ambientTerm);
 }

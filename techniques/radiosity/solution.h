@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "techniques/radiosity/display/emitters.h"
@@ -37,9 +36,8 @@ public:
     [[nodiscard]] double done() const { return done_; }
 
     [[nodiscard]] const RoomCache& cache() const { return cache_; }
+    /// The reflectance of a patch is that of what lamps do not cover.
     [[nodiscard]] const Sources& sources() const { return sources_; }
-    /// By lamps: the share of each patch, 0..1. Their reflectance among the sources is that of the rest.
-    [[nodiscard]] std::span<const double> covered() const { return covered_; }
     [[nodiscard]] const Emitters& emitters() const { return emitters_; }
     [[nodiscard]] const Openings& openings() const { return openings_; }
     [[nodiscard]] const LightBalance& balance() const { return balance_; }
@@ -65,7 +63,6 @@ private:
     HemicubeCacheKey hemicubesKey_;
     SolutionCacheKey solutionKey_;
     Sources sources_;
-    std::vector<double> covered_;
     Emitters emitters_;
     Openings openings_; ///< of the room that `solutionKey_` names
     LightBalance balance_;

@@ -235,7 +235,6 @@ private:
             reflected[i] -= solution_->sources().fromLights[i];
         const GatherSolution solution{.cache = solution_->cache(),
                                       .sources = solution_->sources(),
-                                      .covered = solution_->covered(),
                                       .emitters = solution_->emitters(),
                                       .openings = asksOpenings ? solution_->openings() : kNone,
                                       .reflectedIrradiance = reflected,

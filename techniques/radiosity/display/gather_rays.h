@@ -24,7 +24,6 @@ namespace shadowlab::radiosity {
 struct GatherSolution {
     const RoomCache& cache;
     const Sources& sources;
-    std::span<const double> covered; ///< by lamps, the share of each patch, 0..1; the reflectance of `sources` is that of the rest
     const Emitters& emitters;
     const Openings& openings; ///< empty where what comes in through them is a small part of the light
     std::span<const dvec3> reflectedIrradiance; ///< of each patch, W/m^2: all but the direct light of lights

@@ -8,6 +8,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/math/perpendicular.h"
+#include "techniques/foundation/scene/model/surface_color.h"
 #include "techniques/foundation/scene/query/shading.h"
 #include "techniques/radiosity/room/sample_hemisphere.h"
 
@@ -37,16 +38,23 @@ public:
             else if (isLit(point, i, *patch))
                 irradiance += scene::irradiance(source, tracer_.positionWorld(point), geometricNormal(tracer_, point));
         }
-        // The ray has come to a place that no lamp covers.
-        const double covered = solution_.covered[*patch];
-        const dvec3 reflectance = covered < 1 ? solution_.sources.reflectance[*patch] / (1 - covered) : dvec3(0);
-        return {solution_.sources.emission[*patch], reflectance * irradiance, solution_.emitters.density(*patch)};
+        return {solution_.sources.emission[*patch], reflectanceAt(point) * irradiance, solution_.emitters.density(*patch)};
     }
 
 private:
+    [[nodiscard]] std::uint32_t triangleOf(const trace::SurfacePoint& point) const {
+        return point.primitive - tracer_.world().firstOfObject[tracer_.world().objects[point.primitive]];
+    }
+
+    /// That of the place itself. The patch's is a mean, with what an image lays on it and with what lamps cover; and where the patch is one of a
+    /// simplified mesh it may be that of another part, as of the next square of a chessboard.
+    [[nodiscard]] dvec3 reflectanceAt(const trace::SurfacePoint& point) const {
+        return dvec3(scene::diffuseAt(tracer_.scene(), tracer_.objectOf(point), triangleOf(point), point.barycentric()));
+    }
+
     [[nodiscard]] std::optional<std::uint32_t> patchOf(const trace::SurfacePoint& point) const {
         const scene::Mesh& mesh = *tracer_.objectOf(point).mesh;
-        const std::uint32_t triangle = point.primitive - tracer_.world().firstOfObject[tracer_.world().objects[point.primitive]];
+        const std::uint32_t triangle = triangleOf(point);
         const dvec3 weights = point.barycentric();
         dvec3 positionMesh(0);
         for (int i = 0; i < 3; ++i)
@@ -70,10 +78,15 @@ private:
         return sent.emitted + sent.reflected;
     }
 
+    /// May a shadow end on the patch? Of a simplified mesh none knows that: the place itself lies beside it.
+    [[nodiscard]] bool mayHaveEdge(const trace::SurfacePoint& point, const DirectLight& light, std::size_t patch) const {
+        return light.mayHaveEdge[patch] != 0 || !solution_.cache.room().simple().cornersOfObject[tracer_.world().objects[point.primitive]].empty();
+    }
+
     /// Does a light without an area arrive there? Where nothing stands before the patch, or something hides all of it, no ray is needed.
     [[nodiscard]] bool isLit(const trace::SurfacePoint& point, int number, std::size_t patch) const {
         const DirectLight& light = solution_.cache.light(number);
-        if (light.mayHaveEdge[patch] != 0) return tracer_.visibility(point, number) == trace::Visibility::lit;
+        if (mayHaveEdge(point, light, patch)) return tracer_.visibility(point, number) == trace::Visibility::lit;
         return light.visible[patch] > 0 && scene::lightShinesTo(tracer_.scene().light(number), tracer_.positionWorld(point));
     }
 
@@ -83,11 +96,12 @@ private:
         constexpr int kLinesInPenumbra = 4;
         const DirectLight& light = solution_.cache.light(number);
         const double visible = light.visible[patch];
-        if (light.mayHaveEdge[patch] == 0 && visible == 0) return dvec3(0);
+        const bool needsRays = mayHaveEdge(point, light, patch);
+        if (!needsRays && visible == 0) return dvec3(0);
         const LightSource& source = solution_.cache.source(number);
         const dvec3 at = tracer_.positionWorld(point) - solution_.cache.room().world().originWorld, normal = geometricNormal(tracer_, point);
         const dvec3 whole = source.irradiance(at, normal) * source.color();
-        if (light.mayHaveEdge[patch] == 0 || whole == dvec3(0)) return whole;
+        if (!needsRays || whole == dvec3(0)) return whole;
         const int lines = visible > 0 && visible < 1 ? kLinesInPenumbra : 1;
         double free = 0, all = 0;
         for (int i = 0; i < lines; ++i) {

@@ -1,5 +1,7 @@
 // What the surface at the end of a gather ray sends, held against paths: near shadows, cones of light and contacts, where a patch's mean is wrong.
 // SPDX-License-Identifier: MIT
+#include "app/context/assets.h"
+#include "techniques/foundation/scene/load/load.h"
 #include "tests/radiosity/scene_room.h"
 #include "tests/support/area_lights.h"
 #include "tests/support/gl_fixture.h"
@@ -103,6 +105,23 @@ TEST_F(RadiosityRayEndTest, EveryReflectionGoesItsOwnWay) {
     scene.camera.near = 0.01;
     // Half of all rays meet what glows, so that a million of them are right to a thousandth.
     EXPECT_NEAR(gatheredOverPaths(scene, {32, 32}), 1, 0.005) << "where one direction goes with the next it is 0.94";
+}
+
+// A chessboard of which few patches are left, each of several squares. What is sent from nearby is that of the square, in its colour and its shadow.
+TEST_F(RadiosityRayEndTest, SquaresOfASimplifiedBoardKeepColourAndShadow) {
+    scene::Scene scene = *scene::loadScene("mirror-and-glass", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
+    for (scene::Material& material : scene.materials) { // dull, as radiosity takes it
+        scene::Material dull;
+        dull.name = material.name;
+        dull.diffuse = material.diffuse;
+        dull.ofMesh = material.ofMesh;
+        material = dull;
+    }
+    scene.camera.fovYDegrees = 0.5;
+    scene.camera.targetWorld = {0.034, 0, 0.354};
+    EXPECT_NEAR(gatheredOverPaths(scene, {32, 32}, "patches=600"), 1, 0.03) << "below the red ball; with the colours of squares mixed it is 0.90";
+    scene.camera.targetWorld = {-0.008, 0, -0.002};
+    EXPECT_NEAR(gatheredOverPaths(scene, {32, 32}, "patches=600"), 1, 0.03) << "below the blue ball, in a shadow; with the shadows of patches it is 1.9";
 }
 
 } // namespace
