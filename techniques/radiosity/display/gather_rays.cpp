@@ -2,7 +2,6 @@
 #include "techniques/radiosity/display/gather_rays.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -21,39 +20,18 @@ constexpr double kLeastDistance = 1e-9;
 // A ray that ends before this share of its way is lacking has arrived: meshes are rounded to floats.
 constexpr double kSamePlace = 1e-5;
 
-/// The points of a sequence whose beginnings fill the unit square evenly, however long they are: multiples of the powers of 1 / p,
-/// where p^3 = p + 1 (M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
-constexpr double kPlastic = 1.3247179572447460;
-const dvec2 kStep{1 / kPlastic, 1 / (kPlastic * kPlastic)};
-dvec2 pointOf(std::size_t number) { return glm::fract((static_cast<double>(number) + 0.5) * kStep); }
-
-/// Of a ray. Its direction goes by pointOf(), and no choice where it ends must go with that or with one another: so each goes by multiples of
-/// other square roots of primes (R. D. Richtmyer, "The Evaluation of Definite Integrals, and a Quasi-Monte-Carlo Method Based on the Properties
-/// of Algebraic Numbers", Los Alamos 1951).
-RayNumbers numbersOf(std::size_t ray, const dvec2& shift) {
-    static const dvec2 onLightStep{std::sqrt(2.0), std::sqrt(3.0)};
-    static const std::array<dvec2, kMostReflections> onwardSteps = {dvec2(std::sqrt(5.0), std::sqrt(7.0)), dvec2(std::sqrt(11.0), std::sqrt(13.0)),
-                                                                    dvec2(std::sqrt(17.0), std::sqrt(19.0)), dvec2(std::sqrt(23.0), std::sqrt(29.0))};
-    const double number = static_cast<double>(ray) + 0.5;
-    const dvec2 turned(shift.y, shift.x);
-    RayNumbers numbers{glm::fract(kGolden * number + shift.x + shift.y), glm::fract(pointOf(ray) + turned), glm::fract(number * onLightStep + turned), {}};
-    for (std::size_t i = 0; i < onwardSteps.size(); ++i)
-        numbers.onward[i] = glm::fract(number * onwardSteps[i] + shift);
-    return numbers;
-}
-
 /// Directions about a normal, one for each point of the sequence from `first` on; those near the normal are more likely, by the
 /// cosine, so all count alike. One turns by the same angle from each to the next, so that sine and cosine are found once.
 class CosineDirections {
 public:
     CosineDirections(const dvec3& normal, const dvec2& shift, std::size_t first)
         : normal_(normal), u_(perpendicularTo(normal)), v_(glm::cross(normal, u_)), shift_(shift), next_(first) {
-        const double turn = glm::two_pi<double>() * (pointOf(first).y + shift.y);
+        const double turn = glm::two_pi<double>() * RayNumbers(first, shift).direction().y;
         toward_ = {std::cos(turn), std::sin(turn)};
     }
     dvec3 next() {
-        static const dvec2 step{std::cos(glm::two_pi<double>() * kStep.y), std::sin(glm::two_pi<double>() * kStep.y)};
-        const double square = glm::fract(pointOf(next_++).x + shift_.x), radius = std::sqrt(square);
+        static const dvec2 step{std::cos(glm::two_pi<double>() * kDirectionStep.y), std::sin(glm::two_pi<double>() * kDirectionStep.y)};
+        const double square = RayNumbers(next_++, shift_).direction().x, radius = std::sqrt(square);
         const dvec3 direction = radius * (toward_.x * u_ + toward_.y * v_) + std::sqrt(1 - square) * normal_;
         toward_ = {toward_.x * step.x - toward_.y * step.y, toward_.x * step.y + toward_.y * step.x};
         return direction;
@@ -141,7 +119,7 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
     Gathered sum;
     for (std::size_t i = rays.first; i < rays.first + rays.count; ++i) {
         const dvec3 leaning = directions.next();
-        const RayNumbers numbers = numbersOf(i, shift);
+        const RayNumbers numbers(i, shift);
         // A smooth normal leans: what would go through the surface is turned back to its side. (Simplified: near the rim of a round
         // body some directions then count twice, and others not at all.)
         const dvec3 direction = leaning - 2 * std::min(0.0, glm::dot(leaning, flat)) * flat;
@@ -164,8 +142,8 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
             sum.irradiance += share * glm::pi<double>() * solution.outside;
         }
         if (!solution.emitters.isEmpty())
-            addTo(sum, fromEmitter(solution, tracer, point, normal, solution.emitters.choose(numbers.which, numbers.where)));
-        if (asksOpenings) addTo(sum, fromOpening(solution, tracer, point, normal, solution.openings.choose(numbers.which, numbers.where)));
+            addTo(sum, fromEmitter(solution, tracer, point, normal, solution.emitters.choose(numbers.which(), numbers.where())));
+        if (asksOpenings) addTo(sum, fromOpening(solution, tracer, point, normal, solution.openings.choose(numbers.which(), numbers.where())));
     }
     return sum;
 }

@@ -15,6 +15,10 @@ namespace {
 // Light from outside is found by chance well enough where patches see it in more than this share of their view.
 constexpr double kRareView = 0.25;
 
+// The walls of a room may have outsides that see nothing but the sky. Then the patches that see less than that count alone, if they are this share of all
+// surfaces and see this much on average: under the open sky too some patches see little of it, but more than through a window.
+constexpr double kInside = 0.3, kThroughWindows = 0.03;
+
 // Less of all light than that may be noise: it is not seen.
 constexpr double kMuch = 0.05;
 
@@ -30,21 +34,28 @@ constexpr double kMargin = 1e-3;
 /// Face 2 a lies at the lower end of the axis a, face 2 a + 1 at the upper end. Its cells are numbered along the two other axes.
 std::size_t faceOfCell(std::size_t cell) { return cell / kCellsOfFace; }
 
-/// The area-weighted mean of the share of the patches' views that is no surface.
-double meanView(const Room& room) {
+/// The area-weighted mean of the share of the patches' views that is no surface, of those where it is less than `most`.
+struct MeanView {
+    double share = 0, area = 0;
+};
+MeanView meanView(const Room& room, double most) {
     double seen = 0, area = 0;
     for (std::size_t i = 0; i < room.patches().size(); ++i) {
+        if (room.surroundings()[i] > most) continue;
         seen += room.patches()[i].area * room.surroundings()[i];
         area += room.patches()[i].area;
     }
-    return area > 0 ? seen / area : 0;
+    return {area > 0 ? seen / area : 0, area};
 }
 
 } // namespace
 
 Openings::Openings(const Room& room) {
-    view_ = meanView(room);
-    if (!(view_ > 0) || view_ > kRareView) return;
+    const MeanView all = meanView(room, 1), inside = meanView(room, kRareView);
+    const bool isRare = all.share <= kRareView, hasInside = inside.area > kInside * all.area && inside.share <= kThroughWindows;
+    if (!(inside.share > 0) || !(isRare || hasInside)) return;
+    for (const double view : room.surroundings())
+        viewInside_.push_back(view <= kRareView ? view : kOutside);
     lower_ = dvec3(1e300);
     upper_ = dvec3(-1e300);
     for (const Patch& patch : room.allPatches())
@@ -71,19 +82,20 @@ Openings::Openings(const Room& room) {
 
 bool Openings::bringMuch(const dvec3& outside, std::span<const Patch> patches, std::span<const dvec3> irradiance) const {
     if (isEmpty()) return false;
-    double power = 0, area = 0;
+    double power = 0, fromOutside = 0;
     for (std::size_t i = 0; i < patches.size(); ++i) {
+        if (viewInside_[i] == kOutside) continue;
         power += patches[i].area * luminance(irradiance[i]);
-        area += patches[i].area;
+        fromOutside += patches[i].area * viewInside_[i] * glm::pi<double>() * luminance(outside);
     }
-    return view_ * glm::pi<double>() * luminance(outside) * area > kMuch * power;
+    return fromOutside > kMuch * power;
 }
 
 /// Marks the cells through which rays go out, and those around them: what goes out beside is found by chance alone, and is noise.
 void Openings::open(const Room& room) {
     const std::size_t perPatch = std::max<std::size_t>(1, kSearchRays / room.patches().size());
     for (std::size_t i = 0; i < room.patches().size(); ++i) {
-        if (room.surroundings()[i] == 0) continue;
+        if (viewInside_[i] == 0 || viewInside_[i] == kOutside) continue;
         for (const HemisphereRay& ray : outwardRays(room.tracer(), room.patches()[i], perPatch))
             if (const dvec3 from = room.world().originWorld + ray.fromCentred; surround(from)) openAround(crossing(from, ray.direction).cell);
     }

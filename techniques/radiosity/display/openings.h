@@ -57,7 +57,9 @@ private:
     std::vector<std::uint32_t> open_;  ///< the cells that are
     std::vector<double> upTo_;         ///< of each of those, the share of the area that it and those before it have
     double area_ = 0;                  ///< of all of them, m^2
-    double view_ = 0;                  ///< the mean share of the patches' views that is no surface
+    /// Of each of the room's patches, the share of its view that is no surface; kOutside: it lies outside.
+    std::vector<double> viewInside_;
+    static constexpr double kOutside = 1;
 };
 
 } // namespace shadowlab::radiosity

@@ -71,7 +71,7 @@ private:
     /// The irradiance by other surfaces, W/m^2, as one ray finds it.
     [[nodiscard]] dvec3 onward(const trace::SurfacePoint& point, int reflections) const {
         const dvec3 normal = geometricNormal(tracer_, point), tangent = perpendicularTo(normal);
-        const dvec2 unit = numbers_.onward[static_cast<std::size_t>(reflections)];
+        const dvec2 unit = numbers_.onward(reflections);
         const trace::SurfacePoint met = tracer_.nextPoint(point, cosineDirection({tangent, glm::cross(normal, tangent)}, normal, unit));
         if (!met) return glm::pi<double>() * solution_.outside;
         const Sent sent = sentFrom(met, glm::distance(tracer_.positionCentred(point), tracer_.positionCentred(met)), reflections + 1);
@@ -103,9 +103,10 @@ private:
         const dvec3 whole = source.irradiance(at, normal) * source.color();
         if (!needsRays || whole == dvec3(0)) return whole;
         const int lines = visible > 0 && visible < 1 ? kLinesInPenumbra : 1;
+        const dvec2 onLight = numbers_.onLight();
         double free = 0, all = 0;
         for (int i = 0; i < lines; ++i) {
-            const LightLine line = source.line(at, normal, (i + numbers_.onLight.x) / lines, glm::fract(numbers_.onLight.y + i * kGolden));
+            const LightLine line = source.line(at, normal, (i + onLight.x) / lines, glm::fract(onLight.y + i * kGolden));
             const trace::Ray ray{tracer_.positionCentred(point), line.fromCentred - at, trace::kContact, 1 - trace::kContact};
             all += line.weight;
             free += line.weight > 0 && !tracer_.isBlocked(ray, point.primitive, number) ? line.weight : 0;

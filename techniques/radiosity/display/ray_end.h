@@ -6,25 +6,10 @@
 // "The Rendering Equation", SIGGRAPH 1986); everywhere else the path is cut off, and the patch has the rest.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <array>
-
 #include "techniques/radiosity/display/gather_rays.h"
+#include "techniques/radiosity/display/ray_numbers.h"
 
 namespace shadowlab::radiosity {
-
-/// The golden ratio less one: its multiples fill the unit interval evenly.
-inline constexpr double kGolden = 0.6180339887498949;
-
-/// A ray goes on so many times at most. Where it would go on then, as in a narrow gap, so much has been reflected that the patch's mean does for the rest.
-inline constexpr int kMostReflections = 4;
-
-/// What a ray chooses by, in the unit interval and square.
-struct RayNumbers {
-    double which = 0;    ///< which emitter or opening
-    dvec2 where{0.0};    ///< the place on it
-    dvec2 onLight{0.0};  ///< the place on a light with an area, seen from where the ray ends
-    std::array<dvec2, kMostReflections> onward{}; ///< the directions in which it goes on from there, one after the other
-};
 
 /// What the surface sends, W/m^2.
 struct Sent {

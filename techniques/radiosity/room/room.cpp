@@ -69,6 +69,13 @@ bool Room::advance(std::chrono::steady_clock::time_point deadline) {
             nextPatch_ = trace::parallelUntil(deadline, nextPatch_, patches_.size(),
                                               [&](std::size_t i) { sampleSurroundings(i); });
             if (nextPatch_ < patches_.size()) return false;
+            looksForWindows_ = seesLittleOfOutside();
+            nextPatch_ = 0;
+            phase_ = Phase::sampleWindows;
+            break;
+        case Phase::sampleWindows:
+            nextPatch_ = trace::parallelUntil(deadline, nextPatch_, patches_.size(), [&](std::size_t i) { sampleWindows(i); });
+            if (nextPatch_ < patches_.size()) return false;
             leaveOutCovered();
             phase_ = Phase::done;
             break;
@@ -222,6 +229,23 @@ void Room::sampleSurroundings(std::size_t patch) {
     folded_[patch] = seen.folds;
 }
 
+/// As in a room with a window, whose walls may have outsides as well. Under the open sky what brings so little light to a patch is lost beside the rest.
+bool Room::seesLittleOfOutside() const {
+    constexpr double kLittle = 0.1;
+    double seen = 0, ofLittle = 0, area = 0;
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+        seen += patches_[i].area * surroundings_[i];
+        ofLittle += surroundings_[i] < kLittle ? patches_[i].area : 0;
+        area += patches_[i].area;
+    }
+    return seen > 0 && ofLittle > 0.5 * area;
+}
+
+void Room::sampleWindows(std::size_t patch) {
+    if (looksForWindows_ && surroundings_[patch] == 0 && inBodies_[patch] <= kCovered)
+        surroundings_[patch] = smallView(tracer_, patches_[patch]);
+}
+
 std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements) {
     reflectances_.clear();
     Refined cut = refined(patches_, refinements, levels_);
@@ -232,10 +256,12 @@ std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements)
     inBodies_.assign(patches_.size(), 0.0);
     folded_.assign(patches_.size(), 0.0);
     trace::parallelFor(patches_.size(), [&](std::size_t i) {
-        if (cut.from[i] == Refined::kNew)
+        if (cut.from[i] == Refined::kNew) {
             sampleSurroundings(i);
-        else
+            sampleWindows(i);
+        } else {
             surroundings_[i] = before[cut.from[i]];
+        }
     });
     allPatches_.erase(allPatches_.begin(), allPatches_.end() - static_cast<std::ptrdiff_t>(loosePatches_));
     allPatches_.insert(allPatches_.begin(), patches_.begin(), patches_.end());

@@ -84,7 +84,9 @@ public:
 private:
     [[nodiscard]] dvec3 reflectanceOf(const Patch& patch) const;
     void sampleSurroundings(std::size_t patch);
-    enum class Phase { simplify, cut, sample, done };
+    [[nodiscard]] bool seesLittleOfOutside() const;
+    void sampleWindows(std::size_t patch);
+    enum class Phase { simplify, cut, sample, sampleWindows, done };
     void simplify();
     bool simplifiesFurther();
     void cut();
@@ -103,6 +105,7 @@ private:
     RoomSettings settings_;
     std::optional<Eye> eye_;
     Phase phase_ = Phase::simplify;
+    bool looksForWindows_ = false; ///< where no ray to the surroundings was found, more look for some
     std::size_t mostSides_ = 0; ///< that simplified meshes may have
     int simplifications_ = 0;
     std::optional<SimplifiedScene> simple_;

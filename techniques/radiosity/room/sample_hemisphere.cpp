@@ -18,6 +18,7 @@ constexpr int kRaysAround = 256;
 // there is: there so many rays look.
 constexpr double kSmallView = 0.2;
 constexpr std::size_t kRaysOfSmallView = 2048;
+constexpr double kRaysInAll = kRaysAround + kRaysOfSmallView;
 
 // One ray in so many is followed to its end to find whether it starts inside a body. The answer is the same nearly everywhere on
 // a patch, so few will do.
@@ -71,11 +72,12 @@ HemisphereShares sampleHemisphere(const trace::SceneTracer& tracer, const Closed
     }
     const auto share = [](int rays) { return static_cast<double>(rays) / kRaysAround; };
     HemisphereShares shares{share(nothing), kRaysPerWay * share(inBodies), share(folds)};
-    if (shares.nothing > 0 && shares.nothing < kSmallView) {
-        const std::size_t more = outwardRays(tracer, patch, kRaysOfSmallView).size(), all = kRaysAround + kRaysOfSmallView;
-        shares.nothing = static_cast<double>(static_cast<std::size_t>(nothing) + more) / static_cast<double>(all);
-    }
+    if (shares.nothing > 0 && shares.nothing < kSmallView) shares.nothing = nothing / kRaysInAll + smallView(tracer, patch);
     return shares;
+}
+
+double smallView(const trace::SceneTracer& tracer, const Patch& patch) {
+    return static_cast<double>(outwardRays(tracer, patch, kRaysOfSmallView).size()) / kRaysInAll;
 }
 
 } // namespace shadowlab::radiosity

@@ -28,6 +28,10 @@ struct HemisphereShares {
 HemisphereShares sampleHemisphere(const trace::SceneTracer& tracer, const ClosedBodies& bodies, const Patch& patch,
                                   std::uint32_t object, double foldMetres);
 
+/// The share of nothing for a patch of which no ray went out: that of more rays. Where a window is a thousandth of the view, most patches need them, and
+/// without them only those that see much of it would be found.
+double smallView(const trace::SceneTracer& tracer, const Patch& patch);
+
 /// A direction about the normal, those near it more likely, by the cosine: `unit` lies in the unit square; the tangents and the normal are a right-handed frame.
 dvec3 cosineDirection(const std::array<dvec3, 2>& tangents, const dvec3& normal, const dvec2& unit);
 

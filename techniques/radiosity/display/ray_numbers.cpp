@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/display/ray_numbers.h"
+
+#include <array>
+#include <cmath>
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+// Square roots of primes: no sum of whole multiples of them is a whole number, so that together they fill the cube of all their dimensions.
+const dvec2 kOnLightStep{std::sqrt(2.0), std::sqrt(3.0)};
+const std::array<dvec2, kMostReflections> kOnwardSteps = {dvec2(std::sqrt(5.0), std::sqrt(7.0)), dvec2(std::sqrt(11.0), std::sqrt(13.0)),
+                                                          dvec2(std::sqrt(17.0), std::sqrt(19.0)), dvec2(std::sqrt(23.0), std::sqrt(29.0))};
+
+dvec2 turned(const dvec2& shift) { return {shift.y, shift.x}; }
+
+} // namespace
+
+dvec2 RayNumbers::direction() const { return glm::fract(number_ * kDirectionStep + shift_); }
+double RayNumbers::which() const { return glm::fract(kGolden * number_ + shift_.x + shift_.y); }
+// An emitter's place may go with the direction of the ray, which it has nothing to do with.
+dvec2 RayNumbers::where() const { return glm::fract(number_ * kDirectionStep + turned(shift_)); }
+dvec2 RayNumbers::onLight() const { return glm::fract(number_ * kOnLightStep + turned(shift_)); }
+dvec2 RayNumbers::onward(int reflection) const { return glm::fract(number_ * kOnwardSteps[static_cast<std::size_t>(reflection)] + shift_); }
+
+} // namespace shadowlab::radiosity
