@@ -175,7 +175,10 @@ Exchange exchangeByQuadrature(const Polygon& a, const Polygon& b, double toleran
 }
 
 Exchange unoccludedExchange(const Polygon& a, const Polygon& b, double tolerance) {
-    const Facing facing(a, b);
+    // It is the same both ways. Over a wide ground what a box receives is nearly all from beside its foot, and sums over all of the ground would
+    // be rounded more than that; over the box it is smooth.
+    const bool isLarger = glm::length(areaVector(a)) > glm::length(areaVector(b));
+    const Facing facing(isLarger ? b : a, isLarger ? a : b);
     if (facing.isEmpty()) return {};
     if (const auto closed = rectangleExchange(facing.a, facing.b)) return {*closed, 1e-12 * *closed};
     // Where a few pieces do, they are quicker; where polygons touch, outlines are, a hundred times.
