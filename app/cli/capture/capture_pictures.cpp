@@ -168,7 +168,7 @@ private:
     void sayThatAllIsBlack(const std::vector<picture::Panel>& panels) const {
         if (saidWhyNothingIsSeen_ || base_->objects.empty() || !std::ranges::all_of(stages_, &picture::ResolvedStage::isPicture)) return;
         if (std::ranges::all_of(panels, isBlack, &picture::Panel::picture))
-            note("every pixel is black: no light reaches what is in view; a rect, a spot and what glows with \"emits\": \"front\" shine to one side "
+            note("every pixel is black: no light reaches what is in view, or nothing there reflects any; a rect, a spot and what glows with \"emits\": \"front\" shine to one side "
                  "alone, and what is closed keeps light in or out");
     }
 

@@ -16,8 +16,9 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// A ray goes on where it is shorter than so many edges of the patch. From farther away the patch looks small, and the rays around it end on others.
-constexpr double kNear = 2;
+// A ray goes on where it is shorter than so many edges of the patch. From farther away the patch looks small, and the rays around it end on others. With two
+// edges a picture takes a sixth longer, and blocks of 8 x 8 pixels come from 0.1 to 0.4 % to 0.1 % of those of 5000 patches.
+constexpr double kNear = 1;
 
 /// What one ray finds.
 class RayEnd {
@@ -78,9 +79,21 @@ private:
         return sent.emitted + sent.reflected;
     }
 
-    /// May a shadow end on the patch? Of a simplified mesh none knows that: the place itself lies beside it.
+    /// May a shadow end on the patch? Where it is one of a simplified mesh, and the place lies beside it, it does not know that of the place.
     [[nodiscard]] bool mayHaveEdge(const trace::SurfacePoint& point, const DirectLight& light, std::size_t patch) const {
-        return light.mayHaveEdge[patch] != 0 || !solution_.cache.room().simple().cornersOfObject[tracer_.world().objects[point.primitive]].empty();
+        if (light.mayHaveEdge[patch] != 0) return true;
+        const Room& room = solution_.cache.room();
+        const bool isSimplified = !room.simple().cornersOfObject[tracer_.world().objects[point.primitive]].empty();
+        return isSimplified && !isAbove(room.allPatches()[patch], tracer_.positionWorld(point) - room.world().originWorld);
+    }
+    /// Above or below, along the patch's normal.
+    static bool isAbove(const Patch& patch, const dvec3& positionCentred) {
+        const Polygon& polygon = patch.polygon;
+        for (std::size_t i = 0; i < polygon.count(); ++i) {
+            const dvec3 along = polygon[(i + 1) % polygon.count()] - polygon[i];
+            if (glm::dot(glm::cross(along, positionCentred - polygon[i]), patch.normal) < 0) return false;
+        }
+        return true;
     }
 
     /// Does a light without an area arrive there? Where nothing stands before the patch, or something hides all of it, no ray is needed.
