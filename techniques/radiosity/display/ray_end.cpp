@@ -17,7 +17,7 @@ namespace shadowlab::radiosity {
 namespace {
 
 // A ray goes on where it is shorter than so many edges of the patch. From farther away the patch looks small, and the rays around it end on others. With two
-// edges a picture takes a sixth longer, and blocks of 8 x 8 pixels come from 0.1 to 0.4 % to 0.1 % of those of 5000 patches.
+// edges a picture takes up to a tenth longer, and blocks of 8 x 8 pixels come from 0.1 to 0.4 % to 0.1 % of those of 5000 patches.
 constexpr double kNear = 1;
 
 /// What one ray finds.

@@ -18,7 +18,7 @@ namespace {
 constexpr int kWidestSpacing = 8, kLeastRows = 64;
 
 // Pixels that are nearer to each other than this, on leaves and in corners, send fewer rays: where they are dense, many share theirs.
-constexpr int kFullSpacing = 1;
+constexpr int kFullSpacing = 4;
 
 constexpr std::int32_t kNone = -1;
 
