@@ -8,10 +8,11 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Square roots of primes: no sum of whole multiples of them is a whole number, so that together they fill the cube of all their dimensions.
-const dvec2 kOnLightStep{std::sqrt(2.0), std::sqrt(3.0)};
-const std::array<dvec2, kMostReflections> kOnwardSteps = {dvec2(std::sqrt(5.0), std::sqrt(7.0)), dvec2(std::sqrt(11.0), std::sqrt(13.0)),
+// Square roots of primes: no sum of whole multiples of them is a whole number, so that together they fill the cube of all their dimensions. Those of 2 and
+// 3 fill it most evenly, as their continued fractions have the smallest terms, and are for what varies most: where the first reflection goes.
+const std::array<dvec2, kMostReflections> kOnwardSteps = {dvec2(std::sqrt(2.0), std::sqrt(3.0)), dvec2(std::sqrt(11.0), std::sqrt(13.0)),
                                                           dvec2(std::sqrt(17.0), std::sqrt(19.0)), dvec2(std::sqrt(23.0), std::sqrt(29.0))};
+const dvec2 kOnLightStep{std::sqrt(5.0), std::sqrt(7.0)};
 
 dvec2 turned(const dvec2& shift) { return {shift.y, shift.x}; }
 
