@@ -26,7 +26,7 @@ ExpectedLight expectedLight(const trace::SceneTracer& tracer, const scene::Camer
             const trace::SurfacePoint point = tracer.eyePoint(rays, dvec2(x, row) + 0.5);
             if (!point) continue;
             const scene::Object& object = tracer.objectOf(point);
-            const std::uint32_t triangle = point.primitive - tracer.world().firstOfObject[tracer.world().objects[point.primitive]];
+            const std::uint32_t triangle = tracer.world().triangleInMesh(point.primitive);
             const scene::Material& material = scene::materialOfTriangle(scene, object, triangle);
             const dvec3 diffuse(scene::diffuseAt(scene, object, triangle, point.barycentric()));
             const dvec3 positionWorld = tracer.positionWorld(point);

@@ -15,7 +15,7 @@ ShadingNormals::ShadingNormals(const SceneTracer& tracer) : tracer_(&tracer) {
 
 dvec3 ShadingNormals::towardWorld(const dvec3& toViewerWorld, const SurfacePoint& point) const {
     const scene::Mesh& mesh = *tracer_->objectOf(point).mesh;
-    const uvec3 corners = mesh.triangles[triangleOf(point)];
+    const uvec3 corners = mesh.triangles[tracer_->world().triangleInMesh(point.primitive)];
     const dvec3 weights = point.barycentric();
     if (stretchesNormals_[objectOf(point)]) {
         const std::array<dvec3, 3> ofCorners = stretchedWorld(point);
@@ -32,7 +32,7 @@ dvec3 ShadingNormals::towardWorld(const dvec3& toViewerWorld, const SurfacePoint
 
 std::array<dvec3, 3> ShadingNormals::stretchedWorld(const SurfacePoint& point) const {
     const scene::Mesh& mesh = *tracer_->objectOf(point).mesh;
-    const uvec3 corners = mesh.triangles[triangleOf(point)];
+    const uvec3 corners = mesh.triangles[tracer_->world().triangleInMesh(point.primitive)];
     std::array<dvec3, 3> normals;
     for (int i = 0; i < 3; ++i)
         normals[static_cast<std::size_t>(i)] =
@@ -46,7 +46,7 @@ std::array<vec3, 3> ShadingNormals::ofCornersWorld(const SurfacePoint& point) co
         return {vec3(normals[0]), vec3(normals[1]), vec3(normals[2])};
     }
     const scene::Mesh& mesh = *tracer_->objectOf(point).mesh;
-    const uvec3 corners = mesh.triangles[triangleOf(point)];
+    const uvec3 corners = mesh.triangles[tracer_->world().triangleInMesh(point.primitive)];
     const mat3 normalWorldFromMesh(normalWorldFromMesh_[objectOf(point)]);
     return {normalWorldFromMesh * mesh.normalsMesh[corners.x], normalWorldFromMesh * mesh.normalsMesh[corners.y],
             normalWorldFromMesh * mesh.normalsMesh[corners.z]};

@@ -22,9 +22,6 @@ private:
     /// Unit normals of a triangle's corners, of an object whose scale stretches them.
     [[nodiscard]] std::array<dvec3, 3> stretchedWorld(const SurfacePoint& point) const;
     [[nodiscard]] std::uint32_t objectOf(const SurfacePoint& point) const { return tracer_->world().objects[point.primitive]; }
-    [[nodiscard]] std::uint32_t triangleOf(const SurfacePoint& point) const {
-        return point.primitive - tracer_->world().firstOfObject[objectOf(point)];
-    }
 
     const SceneTracer* tracer_;
     std::vector<dmat3> normalWorldFromMesh_; ///< per object

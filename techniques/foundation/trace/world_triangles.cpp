@@ -44,8 +44,7 @@ Holes::Holes(const scene::Scene& scene, const WorldTriangles& world) : scene_(&s
 }
 
 bool Holes::isInHole(std::uint32_t primitive, const dvec3& barycentric) const {
-    const std::uint32_t object = world_->objects[primitive];
-    return scene::isInHole(*scene_, scene_->objects[object], primitive - world_->firstOfObject[object], barycentric);
+    return scene::isInHole(*scene_, scene_->objects[world_->objects[primitive]], world_->triangleInMesh(primitive), barycentric);
 }
 
 } // namespace shadowlab::trace

@@ -17,6 +17,8 @@ struct WorldTriangles {
     std::vector<Triangle> triangles;          ///< of all objects, in their order: the facing signs have the same
     std::vector<std::uint32_t> objects;       ///< to which object each belongs
     std::vector<std::uint32_t> firstOfObject; ///< number of each object's first triangle
+    /// Its number in the mesh of its object.
+    [[nodiscard]] std::uint32_t triangleInMesh(std::uint32_t primitive) const { return primitive - firstOfObject[objects[primitive]]; }
 };
 
 WorldTriangles worldTriangles(const scene::Scene& scene);

@@ -34,24 +34,10 @@ constexpr double kMargin = 1e-3;
 /// Face 2 a lies at the lower end of the axis a, face 2 a + 1 at the upper end. Its cells are numbered along the two other axes.
 std::size_t faceOfCell(std::size_t cell) { return cell / kCellsOfFace; }
 
-/// The area-weighted mean of the share of the patches' views that is no surface, of those where it is less than `most`.
-struct MeanView {
-    double share = 0, area = 0;
-};
-MeanView meanView(const Room& room, double most) {
-    double seen = 0, area = 0;
-    for (std::size_t i = 0; i < room.patches().size(); ++i) {
-        if (room.surroundings()[i] > most) continue;
-        seen += room.patches()[i].area * room.surroundings()[i];
-        area += room.patches()[i].area;
-    }
-    return {area > 0 ? seen / area : 0, area};
-}
-
 } // namespace
 
 Openings::Openings(const Room& room) {
-    const MeanView all = meanView(room, 1), inside = meanView(room, kRareView);
+    const Room::MeanView all = room.meanView(1), inside = room.meanView(kRareView);
     const bool isRare = all.share <= kRareView, hasInside = inside.area > kInside * all.area && inside.share <= kThroughWindows;
     if (!(inside.share > 0) || !(isRare || hasInside)) return;
     for (const double view : room.surroundings())

@@ -43,19 +43,15 @@ public:
     }
 
 private:
-    [[nodiscard]] std::uint32_t triangleOf(const trace::SurfacePoint& point) const {
-        return point.primitive - tracer_.world().firstOfObject[tracer_.world().objects[point.primitive]];
-    }
-
     /// That of the place itself. The patch's is a mean, with what an image lays on it and with what lamps cover; and where the patch is one of a
     /// simplified mesh it may be that of another part, as of the next square of a chessboard.
     [[nodiscard]] dvec3 reflectanceAt(const trace::SurfacePoint& point) const {
-        return dvec3(scene::diffuseAt(tracer_.scene(), tracer_.objectOf(point), triangleOf(point), point.barycentric()));
+        return dvec3(scene::diffuseAt(tracer_.scene(), tracer_.objectOf(point), tracer_.world().triangleInMesh(point.primitive), point.barycentric()));
     }
 
     [[nodiscard]] std::optional<std::uint32_t> patchOf(const trace::SurfacePoint& point) const {
         const scene::Mesh& mesh = *tracer_.objectOf(point).mesh;
-        const std::uint32_t triangle = triangleOf(point);
+        const std::uint32_t triangle = tracer_.world().triangleInMesh(point.primitive);
         const dvec3 weights = point.barycentric();
         dvec3 positionMesh(0);
         for (int i = 0; i < 3; ++i)
@@ -84,16 +80,9 @@ private:
         if (light.mayHaveEdge[patch] != 0) return true;
         const Room& room = solution_.cache.room();
         const bool isSimplified = !room.simple().cornersOfObject[tracer_.world().objects[point.primitive]].empty();
-        return isSimplified && !isAbove(room.allPatches()[patch], tracer_.positionWorld(point) - room.world().originWorld);
-    }
-    /// Above or below, along the patch's normal.
-    static bool isAbove(const Patch& patch, const dvec3& positionCentred) {
-        const Polygon& polygon = patch.polygon;
-        for (std::size_t i = 0; i < polygon.count(); ++i) {
-            const dvec3 along = polygon[(i + 1) % polygon.count()] - polygon[i];
-            if (glm::dot(glm::cross(along, positionCentred - polygon[i]), patch.normal) < 0) return false;
-        }
-        return true;
+        if (!isSimplified) return false;
+        const Patch& one = room.allPatches()[patch];
+        return !holds(one.polygon, tracer_.positionWorld(point) - room.world().originWorld, one.normal);
     }
 
     /// Does a light without an area arrive there? Where nothing stands before the patch, or something hides all of it, no ray is needed.

@@ -56,7 +56,7 @@ Plane planeOf(const Polygon& polygon);
 /// are floats: a box that stands on a floor is some 2^-24 of its size above it or below.
 constexpr double kTouching = 2e-7;
 
-/// Is the point, which lies in the plane of the convex polygon, within it? `normal`: of its front.
+/// Is the point within the convex polygon, or straight above or below it? `normal`: of its front.
 bool holds(const Polygon& polygon, const dvec3& point, const dvec3& normal);
 
 trace::CentredBox boxOf(const Polygon& polygon);

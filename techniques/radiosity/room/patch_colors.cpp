@@ -44,8 +44,7 @@ dvec3 PatchColors::at(const dvec3& centred, const dvec3& normal, std::uint32_t o
         ray, [&](std::uint32_t primitive) { return tracer_.world().objects[primitive] == object; },
         [](std::uint32_t, const dvec3&) { return false; });
     if (!hit) return otherwise;
-    const std::uint32_t triangle = hit.primitive - tracer_.world().firstOfObject[object];
-    return dvec3(scene::diffuseAt(*scene_, scene_->objects[object], triangle, hit.barycentric));
+    return dvec3(scene::diffuseAt(*scene_, scene_->objects[object], tracer_.world().triangleInMesh(hit.primitive), hit.barycentric));
 }
 
 } // namespace shadowlab::radiosity

@@ -231,14 +231,20 @@ void Room::sampleSurroundings(std::size_t patch) {
 
 /// As in a room with a window, whose walls may have outsides as well. Under the open sky what brings so little light to a patch is lost beside the rest.
 bool Room::seesLittleOfOutside() const {
-    constexpr double kLittle = 0.1;
-    double seen = 0, ofLittle = 0, area = 0;
+    constexpr double kLittle = 0.1, kMost = 0.5;
+    const MeanView all = meanView(1);
+    return all.share > 0 && meanView(kLittle).area > kMost * all.area;
+}
+
+Room::MeanView Room::meanView(double most) const {
+    MeanView view;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
-        seen += patches_[i].area * surroundings_[i];
-        ofLittle += surroundings_[i] < kLittle ? patches_[i].area : 0;
-        area += patches_[i].area;
+        if (surroundings_[i] > most) continue;
+        view.share += patches_[i].area * surroundings_[i];
+        view.area += patches_[i].area;
     }
-    return seen > 0 && ofLittle > 0.5 * area;
+    if (view.area > 0) view.share /= view.area;
+    return view;
 }
 
 void Room::sampleWindows(std::size_t patch) {

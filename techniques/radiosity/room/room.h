@@ -60,6 +60,11 @@ public:
     [[nodiscard]] Importance importanceTo(const std::optional<Eye>& eye) const;
     /// The share of the view of each of patches() that is no surface: 0..1.
     [[nodiscard]] const std::vector<double>& surroundings() const { return surroundings_; }
+    /// Of those of patches() with at most that share: the area-weighted mean of it, and their area, square metres.
+    struct MeanView {
+        double share = 0, area = 0;
+    };
+    [[nodiscard]] MeanView meanView(double most) const;
     /// How many patches were left out because they lie under or in a closed body.
     [[nodiscard]] std::size_t coveredPatches() const { return coveredPatches_; }
     /// How many were left out because they lie in a fold that simplification made.

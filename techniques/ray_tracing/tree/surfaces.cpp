@@ -52,7 +52,7 @@ Surfaces::Outside Surfaces::outsideOf(const scene::Object& object) const {
 
 vec3 Surfaces::diffuseOf(const trace::SurfacePoint& point) const {
     if (!hasOwnColors(point)) return materialOf(point).diffuse;
-    return scene::diffuseAt(scene(), tracer_->objectOf(point), triangleOf(point), point.barycentric());
+    return scene::diffuseAt(scene(), tracer_->objectOf(point), tracer_->world().triangleInMesh(point.primitive), point.barycentric());
 }
 
 bool Surfaces::emitsHere(const trace::SurfacePoint& point) const {

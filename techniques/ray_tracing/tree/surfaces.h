@@ -80,9 +80,6 @@ private:
     [[nodiscard]] std::uint32_t objectOf(const trace::SurfacePoint& point) const {
         return tracer_->world().objects[point.primitive];
     }
-    [[nodiscard]] std::uint32_t triangleOf(const trace::SurfacePoint& point) const {
-        return point.primitive - tracer_->world().firstOfObject[objectOf(point)];
-    }
 
     const trace::SceneTracer* tracer_;
     trace::ShadingNormals normals_;

@@ -17,8 +17,7 @@ trace::SurfacePoint pointOf(const trace::SceneTracer& tracer, const View& view, 
 
 Decision::Face faceOf(const trace::SceneTracer& tracer, std::uint32_t primitive) {
     const trace::WorldTriangles& world = tracer.world();
-    const std::uint32_t object = world.objects[primitive];
-    Decision::Face face{tracer.scene().objects[object].name, primitive - world.firstOfObject[object], {}};
+    Decision::Face face{tracer.scene().objects[world.objects[primitive]].name, world.triangleInMesh(primitive), {}};
     const trace::Triangle& triangle = world.triangles[primitive];
     face.cornersWorld = {triangle.a + world.originWorld, triangle.b + world.originWorld,
                          triangle.c + world.originWorld};
