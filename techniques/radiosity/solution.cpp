@@ -49,7 +49,6 @@ void Solution::restartIfChanged(const scene::Snapshot& snapshot, const Radiosity
     sources_ = sourcesOf(cache_.room(), cache_.lights(), radianceOutside(*snapshot, params));
     for (std::size_t i = 0; i < sources_.size(); ++i)
         sources_.reflectance[i] *= 1 - coveredByLamps(cache_.room().allPatches()[i], snapshot->lights, cache_.room().world().originWorld);
-    emitters_ = Emitters(cache_.room(), sources_);
     balance_.restart(cache_.exchange(), sources_, params.solver, params.ambientTerm);
 }
 

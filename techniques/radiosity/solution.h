@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "techniques/radiosity/display/emitters.h"
 #include "techniques/radiosity/display/openings.h"
 #include "techniques/radiosity/equations/light_balance.h"
 #include "techniques/radiosity/exchange/hemicube_exchange.h"
@@ -38,7 +37,6 @@ public:
     [[nodiscard]] const RoomCache& cache() const { return cache_; }
     /// The reflectance of a patch is that of what lamps do not cover.
     [[nodiscard]] const Sources& sources() const { return sources_; }
-    [[nodiscard]] const Emitters& emitters() const { return emitters_; }
     [[nodiscard]] const Openings& openings() const { return openings_; }
     [[nodiscard]] const LightBalance& balance() const { return balance_; }
 
@@ -63,7 +61,6 @@ private:
     HemicubeCacheKey hemicubesKey_;
     SolutionCacheKey solutionKey_;
     Sources sources_;
-    Emitters emitters_;
     Openings openings_; ///< of the room that `solutionKey_` names
     LightBalance balance_;
     double done_ = 0;

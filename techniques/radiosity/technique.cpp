@@ -224,6 +224,14 @@ private:
         if (showing.frame.stopsAfter() || params_.isFlat()) showing.draw(solution_->balance().radiosity(), false);
     }
 
+    /// Kept while the solution stays.
+    const GatherGuide& guide(const dvec3& outside) {
+        const LightBalance& balance = solution_->balance();
+        if (guide_.first != balance.version())
+            guide_ = {balance.version(), GatherGuide(solution_->cache().room(), solution_->cache().exchange().matrix, balance.radiosity(), outside)};
+        return guide_.second;
+    }
+
     /// True when all rays are sent, or the frame stops before what they gather is shown.
     bool advanceGather(const Frame& frame, Deadline deadline) {
         if (frame.stopsAfter() && frame.stopsAfter()->id != "display" && frame.stopsAfter()->id != "direct") return true;
@@ -235,7 +243,7 @@ private:
             reflected[i] -= solution_->sources().fromLights[i];
         const GatherSolution solution{.cache = solution_->cache(),
                                       .sources = solution_->sources(),
-                                      .emitters = solution_->emitters(),
+                                      .guide = guide(outside),
                                       .openings = asksOpenings ? solution_->openings() : kNone,
                                       .reflectedIrradiance = reflected,
                                       .outside = outside,
@@ -268,6 +276,7 @@ private:
     std::unique_ptr<Solution> next_; ///< none: the patches are cut for the eye
     PatchError patchError_;
     std::pair<std::uint64_t, double> caught_{0, 0.0}; ///< the solution's version, and the share of its light that would meet lamps
+    std::pair<std::uint64_t, GatherGuide> guide_{0, {}}; ///< the solution's version, and its guide
     LightMap lightMap_;
     SurfacePicture picture_;
     PixelPicture pixels_;

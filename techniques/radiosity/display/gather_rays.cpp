@@ -8,6 +8,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/math/perpendicular.h"
+#include "techniques/radiosity/display/aimed_rays.h"
 #include "techniques/radiosity/display/ray_end.h"
 
 namespace shadowlab::radiosity {
@@ -16,9 +17,6 @@ namespace {
 
 // Nearer than that is contact, metres.
 constexpr double kLeastDistance = 1e-9;
-
-// A ray that ends before this share of its way is lacking has arrived: meshes are rounded to floats.
-constexpr double kSamePlace = 1e-5;
 
 /// Directions about a normal, one for each point of the sequence from `first` on; those near the normal are more likely, by the
 /// cosine, so all count alike. One turns by the same angle from each to the next, so that sine and cosine are found once.
@@ -43,58 +41,27 @@ private:
     std::size_t next_;
 };
 
-/// The share of what is found in a direction that counts where two kinds of rays may find it, this one and another.
-double balanced(double density, double densityOfOther) { return density > 0 ? density / (density + densityOfOther) : 0; }
-
-/// The density of a direction, 1/sr, in which one sees the point, from that of the point on its surface.
-double densityOfDirection(double density, double distance, double cosineThere) {
-    return density * distance * distance / std::max(cosineThere, 1e-9);
-}
-
-/// What a ray to a chosen point of an emitter or an opening brings.
+/// What a ray to a chosen point of a patch or an opening brings.
 struct Brought {
     dvec3 irradiance{0.0}; ///< W/m^2
     double distance = 1;   ///< metres
 };
 void addTo(Gathered& sum, const Brought& brought) {
     sum.irradiance += brought.irradiance;
-    sum.fromEmitters += luminance(brought.irradiance);
-    sum.nearnessOfEmitters += luminance(brought.irradiance) / brought.distance;
+    sum.fromChosen += luminance(brought.irradiance);
+    sum.nearnessOfChosen += luminance(brought.irradiance) / brought.distance;
 }
 
-/// A ray to a chosen point.
-struct Aim {
-    dvec3 direction{0.0};
-    double distance = 0, cosineHere = 0, cosineThere = 0;
-};
-/// `facing`: of the surface there, toward those who see it. Nothing: they do not face each other.
-std::optional<Aim> aimAt(const dvec3& positionWorld, const dvec3& facing, const trace::SceneTracer& tracer, const trace::SurfacePoint& point,
-                         const dvec3& normal) {
-    const dvec3 way = positionWorld - tracer.positionWorld(point);
-    const double distance = glm::length(way);
-    if (!(distance > kLeastDistance)) return std::nullopt;
-    const dvec3 direction = way / distance;
-    const Aim aim{direction, distance, glm::dot(direction, normal), -glm::dot(direction, facing)};
-    if (aim.cosineHere <= 0 || aim.cosineThere <= 0 || glm::dot(direction, geometricNormal(tracer, point)) <= 0) return std::nullopt;
-    return aim;
+Brought fromPatch(const GatherSolution& solution, const trace::SceneTracer& tracer, const RayOrigin& from, const RayNumbers& numbers) {
+    const auto met = chosenPoint(solution.guide, tracer, from, numbers.which(), numbers.where());
+    if (!met) return {};
+    return {met->share * sentFrom(met->point, met->distance, solution, tracer, numbers).radiosity, met->distance};
 }
 
-Brought fromEmitter(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point, const dvec3& normal,
-                    const Emitters::Choice& chosen) {
-    const auto aim = aimAt(chosen.positionWorld, chosen.normal, tracer, point, normal);
-    if (!aim) return {};
-    const trace::SurfacePoint met = tracer.nextPoint(point, aim->direction);
-    if (!met || glm::distance(tracer.positionWorld(met), tracer.positionWorld(point)) < (1 - kSamePlace) * aim->distance) return {};
-    const double byChoice = densityOfDirection(solution.emitters.density(chosen.patch), aim->distance, aim->cosineThere);
-    const double weight = balanced(byChoice, aim->cosineHere / glm::pi<double>());
-    const double density = densityOfDirection(chosen.density, aim->distance, aim->cosineThere);
-    return {weight * aim->cosineHere / (glm::pi<double>() * density) * solution.sources.emission[chosen.patch], aim->distance};
-}
-
-Brought fromOpening(const GatherSolution& solution, const trace::SceneTracer& tracer, const trace::SurfacePoint& point, const dvec3& normal,
-                    const Openings::Choice& chosen) {
-    const auto aim = aimAt(chosen.positionWorld, chosen.inward, tracer, point, normal);
-    if (!aim || tracer.nextPoint(point, aim->direction)) return {};
+Brought fromOpening(const GatherSolution& solution, const trace::SceneTracer& tracer, const RayOrigin& from, const RayNumbers& numbers) {
+    const Openings::Choice chosen = solution.openings.choose(numbers.which(), numbers.where());
+    const auto aim = aimAt(chosen.positionWorld, chosen.inward, tracer, from);
+    if (!aim || tracer.nextPoint(from.point, aim->direction)) return {};
     const double density = densityOfDirection(solution.openings.density(), aim->distance, aim->cosineThere);
     return {balanced(density, aim->cosineHere / glm::pi<double>()) * aim->cosineHere / density * solution.outside, aim->distance};
 }
@@ -106,20 +73,27 @@ double shareOfOutside(const Openings& openings, const dvec3& fromWorld, const dv
     return balanced(cosineHere / glm::pi<double>(), densityOfDirection(openings.density(), exit->distance, exit->cosine));
 }
 
+/// On which patch the point lies, if from there points are chosen.
+std::optional<std::uint32_t> unevenPatch(const trace::SurfacePoint& point, const GatherSolution& solution, const trace::SceneTracer& tracer) {
+    const auto patch = patchOf(point, solution.cache, tracer);
+    return patch && solution.guide.isUneven(*patch) ? patch : std::nullopt;
+}
+
 } // namespace
 
 // [anchor: final-gather]
 Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 pixel, const GatherRays& rays) {
-    const trace::SurfacePoint& point = light.pointAt(pixel);
     const trace::SceneTracer& tracer = light.tracer();
-    const dvec3 from = tracer.positionCentred(point), normal = light.normalWorld(point), flat = geometricNormal(tracer, point);
-    const dvec2& shift = rays.shift;
-    CosineDirections directions(normal, shift, rays.first);
+    const trace::SurfacePoint& point = light.pointAt(pixel);
+    const RayOrigin origin{point, light.normalWorld(point), unevenPatch(point, solution, tracer)};
+    const dvec3 from = tracer.positionCentred(point), flat = geometricNormal(tracer, point);
+    CosineDirections directions(origin.normal, rays.shift, rays.first);
     const bool asksOpenings = !solution.openings.isEmpty() && solution.openings.surround(tracer.positionWorld(point));
     Gathered sum;
     for (std::size_t i = rays.first; i < rays.first + rays.count; ++i) {
         const dvec3 leaning = directions.next();
-        const RayNumbers numbers(i, shift);
+        const double cosine = glm::dot(leaning, origin.normal);
+        const RayNumbers numbers(i, rays.shift);
         // A smooth normal leans: what would go through the surface is turned back to its side. (Simplified: near the rim of a round
         // body some directions then count twice, and others not at all.)
         const dvec3 direction = leaning - 2 * std::min(0.0, glm::dot(leaning, flat)) * flat;
@@ -130,20 +104,14 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
             sum.nearness += 1 / distance;
             ++sum.met;
             const Sent sent = sentFrom(met, distance, solution, tracer, numbers);
-            sum.irradiance += sent.reflected;
-            if (sent.density > 0) { // rays are sent there on purpose as well
-                const double other = densityOfDirection(sent.density, distance, -glm::dot(direction, geometricNormal(tracer, met)));
-                sum.irradiance += balanced(glm::dot(leaning, normal) / glm::pi<double>(), other) * sent.emitted;
-            } else {
-                sum.irradiance += sent.emitted;
-            }
+            const double cosineThere = -glm::dot(direction, geometricNormal(tracer, met));
+            sum.irradiance += shareByChance(solution.guide, origin, sent.patch, distance, cosine, cosineThere) * sent.radiosity;
         } else {
-            const double share = asksOpenings ? shareOfOutside(solution.openings, tracer.positionWorld(point), direction, glm::dot(leaning, normal)) : 1;
+            const double share = asksOpenings ? shareOfOutside(solution.openings, tracer.positionWorld(point), direction, cosine) : 1;
             sum.irradiance += share * glm::pi<double>() * solution.outside;
         }
-        if (!solution.emitters.isEmpty())
-            addTo(sum, fromEmitter(solution, tracer, point, normal, solution.emitters.choose(numbers.which(), numbers.where())));
-        if (asksOpenings) addTo(sum, fromOpening(solution, tracer, point, normal, solution.openings.choose(numbers.which(), numbers.where())));
+        if (origin.patch) addTo(sum, fromPatch(solution, tracer, origin, numbers));
+        if (asksOpenings) addTo(sum, fromOpening(solution, tracer, origin, numbers));
     }
     return sum;
 }

@@ -7,14 +7,15 @@
 // is then seen only in the mean over all that the point sees.
 //
 // Where a ray ends, what lights bring there is found by a shadow ray, since that has edges; all else is the patch's.
-// What patches emit by themselves is also asked for on purpose, by rays to points of them (emitters.h), and what comes in from outside through a
-// window by rays to points of it (openings.h).
+// Where most of the light comes from few patches, rays also go to points of these on purpose (gather_guide.h), and where it comes in through a
+// window, to points of it (openings.h).
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
 
-#include "techniques/radiosity/display/emitters.h"
+#include "techniques/radiosity/display/gather_guide.h"
 #include "techniques/radiosity/display/openings.h"
+#include "techniques/radiosity/equations/light_balance.h"
 #include "techniques/radiosity/lights/pixel_light.h"
 #include "techniques/radiosity/room_cache.h"
 
@@ -24,7 +25,7 @@ namespace shadowlab::radiosity {
 struct GatherSolution {
     const RoomCache& cache;
     const Sources& sources;
-    const Emitters& emitters;
+    const GatherGuide& guide;
     const Openings& openings; ///< empty where what comes in through them is a small part of the light
     std::span<const dvec3> reflectedIrradiance; ///< of each patch, W/m^2: all but the direct light of lights
     dvec3 outside{0.0};                         ///< radiance where a ray meets nothing
@@ -45,9 +46,8 @@ struct Gathered {
     dvec3 irradiance{0.0};
     double nearness = 0; ///< of 1 / distance of what was met, 1/m
     std::size_t met = 0; ///< how many met something
-    // Of the luminance of that irradiance, what emitters and openings bring that were asked for on purpose; and the sum of it over their
-    // distance, 1/m.
-    double fromEmitters = 0, nearnessOfEmitters = 0;
+    // Of the luminance of that irradiance, what chosen points of patches and openings bring; and the sum of it over their distance, 1/m.
+    double fromChosen = 0, nearnessOfChosen = 0;
 };
 
 /// Which rays of an endless sequence that fills the half sphere evenly. Sequences of another shift (in the unit square) are other ones.
@@ -56,7 +56,7 @@ struct GatherRays {
     std::size_t first = 0, count = 0;
 };
 
-/// From what a pixel shows, along these rays, and where patches emit, or light comes in through openings, along as many to them. `light` must be complete.
+/// From what a pixel shows, along these rays, and where light comes from few patches, or in through openings, along as many to them. `light` must be complete.
 Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 pixel, const GatherRays& rays);
 
 } // namespace shadowlab::radiosity

@@ -1,7 +1,7 @@
 // Where light from outside comes in: windows and doors, found by rays.
 //
 // In a room with a window few of the rays that leave a point in all directions go out, and what they bring is then noise, as with small
-// emitters (emitters.h). So a gather also sends rays to points of the openings, and weighs both kinds in the same way. An opening is known
+// bright patches (gather_guide.h). So a gather also sends rays to points of the openings, and weighs both kinds in the same way. An opening is known
 // as cells of a box around the scene, those through which rays from the patches have gone out. A ray that goes out through another cell
 // counts in full, so that nothing is lost where none has been found.
 // Under the open sky rays in all directions find it well enough, and there are no openings.

@@ -10,6 +10,7 @@
 #include "techniques/foundation/math/perpendicular.h"
 #include "techniques/foundation/scene/model/surface_color.h"
 #include "techniques/foundation/scene/query/shading.h"
+#include "techniques/radiosity/display/aimed_rays.h"
 #include "techniques/radiosity/room/sample_hemisphere.h"
 
 namespace shadowlab::radiosity {
@@ -29,9 +30,9 @@ public:
     [[nodiscard]] Sent sentFrom(const trace::SurfacePoint& point, double distance, int reflections) const {
         // What a lamp sends is direct light, which has been counted.
         if (tracer_.objectOf(point).emitterOfLight >= 0) return {};
-        const auto patch = patchOf(point);
+        const auto patch = patchOf(point, solution_.cache, tracer_);
         if (!patch) return {}; // the inside of a closed body: dark
-        dvec3 irradiance = goesOn(*patch, distance, reflections) ? onward(point, reflections) : solution_.reflectedIrradiance[*patch];
+        dvec3 irradiance = goesOn(*patch, distance, reflections) ? onward(point, *patch, reflections) : solution_.reflectedIrradiance[*patch];
         for (int i = 0; i < static_cast<int>(tracer_.scene().lights.size()); ++i) {
             const scene::Light& source = tracer_.scene().light(i);
             if (scene::hasArea(source))
@@ -39,7 +40,7 @@ public:
             else if (isLit(point, i, *patch))
                 irradiance += scene::irradiance(source, tracer_.positionWorld(point), geometricNormal(tracer_, point));
         }
-        return {solution_.sources.emission[*patch], reflectanceAt(point) * irradiance, solution_.emitters.density(*patch)};
+        return {solution_.sources.emission[*patch] + reflectanceAt(point) * irradiance, patch};
     }
 
 private:
@@ -49,30 +50,29 @@ private:
         return dvec3(scene::diffuseAt(tracer_.scene(), tracer_.objectOf(point), tracer_.world().triangleInMesh(point.primitive), point.barycentric()));
     }
 
-    [[nodiscard]] std::optional<std::uint32_t> patchOf(const trace::SurfacePoint& point) const {
-        const scene::Mesh& mesh = *tracer_.objectOf(point).mesh;
-        const std::uint32_t triangle = tracer_.world().triangleInMesh(point.primitive);
-        const dvec3 weights = point.barycentric();
-        dvec3 positionMesh(0);
-        for (int i = 0; i < 3; ++i)
-            positionMesh += weights[i] * dvec3(mesh.positionsMesh[mesh.triangles[triangle][i]]);
-        return patchAt(solution_.cache.cells(), point.primitive, point.eyeOnFront, vec3(positionMesh));
-    }
-
-    /// Simplified: where emitters or openings bring much of the light, only rays sent to them on purpose find it without noise, and the patch's mean is kept.
+    /// Simplified: where openings bring much of the light, only rays sent to them on purpose find it without noise, and the patch's mean is kept.
     [[nodiscard]] bool goesOn(std::size_t patch, double distance, int reflections) const {
-        return reflections < kMostReflections && solution_.emitters.isEmpty() && solution_.openings.isEmpty() &&
+        return reflections < kMostReflections && solution_.openings.isEmpty() &&
                distance * distance < kNear * kNear * solution_.cache.room().allPatches()[patch].area;
     }
 
-    /// The irradiance by other surfaces, W/m^2, as one ray finds it.
-    [[nodiscard]] dvec3 onward(const trace::SurfacePoint& point, int reflections) const {
+    /// The irradiance by other surfaces, W/m^2, as one ray finds it: where light comes from few patches, in half of all cases a ray to a point of them.
+    [[nodiscard]] dvec3 onward(const trace::SurfacePoint& point, std::uint32_t patch, int reflections) const {
         const dvec3 normal = geometricNormal(tracer_, point), tangent = perpendicularTo(normal);
-        const dvec2 unit = numbers_.onward(reflections);
-        const trace::SurfacePoint met = tracer_.nextPoint(point, cosineDirection({tangent, glm::cross(normal, tangent)}, normal, unit));
-        if (!met) return glm::pi<double>() * solution_.outside;
-        const Sent sent = sentFrom(met, glm::distance(tracer_.positionCentred(point), tracer_.positionCentred(met)), reflections + 1);
-        return sent.emitted + sent.reflected;
+        const bool mayChoose = solution_.guide.isUneven(patch);
+        const RayOrigin from{point, normal, mayChoose ? std::optional(patch) : std::nullopt};
+        const double which = numbers_.onwardWhich(reflections), ofKinds = mayChoose ? 2 : 1;
+        if (mayChoose && which < 0.5) {
+            const auto met = chosenPoint(solution_.guide, tracer_, from, ofKinds * which, numbers_.onward(reflections));
+            return met ? ofKinds * met->share * sentFrom(met->point, met->distance, reflections + 1).radiosity : dvec3(0);
+        }
+        const dvec3 direction = cosineDirection({tangent, glm::cross(normal, tangent)}, normal, numbers_.onward(reflections));
+        const trace::SurfacePoint met = tracer_.nextPoint(point, direction);
+        if (!met) return ofKinds * glm::pi<double>() * solution_.outside;
+        const double distance = glm::distance(tracer_.positionCentred(point), tracer_.positionCentred(met));
+        const Sent sent = sentFrom(met, distance, reflections + 1);
+        return ofKinds * shareByChance(solution_.guide, from, sent.patch, distance, glm::dot(direction, normal), -glm::dot(direction, geometricNormal(tracer_, met))) *
+               sent.radiosity;
     }
 
     /// May a shadow end on the patch? Where it is one of a simplified mesh, and the place lies beside it, it does not know that of the place.
@@ -127,10 +127,14 @@ Sent sentFrom(const trace::SurfacePoint& point, double distance, const GatherSol
     return RayEnd(solution, tracer, numbers).sentFrom(point, distance, 0);
 }
 
-dvec3 geometricNormal(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
-    const trace::Triangle& t = tracer.bvh().triangles[point.primitive];
-    const dvec3 normal = glm::normalize(trace::frontOf(t));
-    return point.eyeOnFront ? normal : -normal;
+std::optional<std::uint32_t> patchOf(const trace::SurfacePoint& point, const RoomCache& cache, const trace::SceneTracer& tracer) {
+    const scene::Mesh& mesh = *tracer.objectOf(point).mesh;
+    const std::uint32_t triangle = tracer.world().triangleInMesh(point.primitive);
+    const dvec3 weights = point.barycentric();
+    dvec3 positionMesh(0);
+    for (int i = 0; i < 3; ++i)
+        positionMesh += weights[i] * dvec3(mesh.positionsMesh[mesh.triangles[triangle][i]]);
+    return patchAt(cache.cells(), point.primitive, point.eyeOnFront, vec3(positionMesh));
 }
 
 } // namespace shadowlab::radiosity

@@ -11,16 +11,16 @@
 
 namespace shadowlab::radiosity {
 
-/// What the surface sends, W/m^2.
+/// What the surface sends.
 struct Sent {
-    dvec3 emitted{0.0}, reflected{0.0};
-    double density = 0; ///< with which the point is chosen among those of emitters, 1/m^2
+    dvec3 radiosity{0.0};                ///< W/m^2
+    std::optional<std::uint32_t> patch; ///< nothing: the surface of a light, or the inside of a closed body
 };
 
 /// `distance`: the ray's length, metres.
 Sent sentFrom(const trace::SurfacePoint& point, double distance, const GatherSolution& solution, const trace::SceneTracer& tracer, const RayNumbers& numbers);
 
-/// The triangle's own unit normal, on the side from which the point was found.
-dvec3 geometricNormal(const trace::SceneTracer& tracer, const trace::SurfacePoint& point);
+/// On which patch the point lies; nothing: on the inside of a closed body.
+std::optional<std::uint32_t> patchOf(const trace::SurfacePoint& point, const RoomCache& cache, const trace::SceneTracer& tracer);
 
 } // namespace shadowlab::radiosity

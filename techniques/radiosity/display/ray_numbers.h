@@ -29,10 +29,11 @@ class RayNumbers {
 public:
     RayNumbers(std::size_t ray, const dvec2& shift) : number_(static_cast<double>(ray) + 0.5), shift_(shift) {}
     [[nodiscard]] dvec2 direction() const;
-    [[nodiscard]] double which() const;              ///< which emitter or opening
+    [[nodiscard]] double which() const;              ///< which patch or opening
     [[nodiscard]] dvec2 where() const;               ///< the place on it
     [[nodiscard]] dvec2 onLight() const;             ///< the place on a light with an area, seen from where the ray ends
     [[nodiscard]] dvec2 onward(int reflection) const; ///< the direction in which it goes on from there; from 0, below kMostReflections
+    [[nodiscard]] double onwardWhich(int reflection) const; ///< to which patch, or by chance
 
 private:
     double number_;

@@ -69,11 +69,11 @@ GatherRays raysOf(ivec2 place, std::size_t count) {
     return {randomPair(pixelKey(place / kTile)), alongMortonCurve(place, kBits) * count, count};
 }
 
-/// R, metres: what emitters bring, as much as it is of all, changes with the distance to them.
+/// R, metres: what chosen points bring, as much as it is of all, changes with the distance to them.
 double rangeOf(const Gathered& sum) {
     const double all = std::max(luminance(sum.irradiance), 1e-300);
-    const double ofOthers = 1 - std::min(1.0, sum.fromEmitters / all);
-    const double nearness = (sum.met > 0 ? ofOthers * sum.nearness / static_cast<double>(sum.met) : 0) + sum.nearnessOfEmitters / all;
+    const double ofOthers = 1 - std::min(1.0, sum.fromChosen / all);
+    const double nearness = (sum.met > 0 ? ofOthers * sum.nearness / static_cast<double>(sum.met) : 0) + sum.nearnessOfChosen / all;
     return nearness > 1 / kSeesNothing ? 1 / nearness : kSeesNothing;
 }
 

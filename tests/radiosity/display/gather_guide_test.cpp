@@ -1,0 +1,156 @@
+// Rays to points of the patches from which light comes: their densities, and how much less noise they leave, beside gathers without them.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "techniques/radiosity/display/gather_rays.h"
+#include "tests/radiosity/quasirandom.h"
+#include "tests/radiosity/scene_room.h"
+
+namespace shadowlab::radiosity {
+namespace {
+
+/// A room of 4 x 3 x 4 m, lit by nothing but a spot of light on its ceiling, with a box on its floor.
+scene::Scene roomWithSpot() {
+    scene::Scene scene = testing::emptyRoom({4, 3, 4});
+    scene.materials[0].diffuse = vec3(0.6f);
+    testing::addObject(scene, scene::makeBox({0.8, 0.6, 0.8}), testing::translation({2.6, 0.31, 2.2}));
+    scene::Light spot = testing::pointLight({1.2, 1.4, 1.5});
+    spot.type = scene::LightType::spot;
+    spot.directionWorld = {0, 1, 0};
+    spot.coneDegrees = 30;
+    spot.edgeDegrees = 0;
+    spot.intensity = 10;
+    scene.lights = {spot};
+    scene.camera.positionWorld = {0.4, 1.5, 3.8};
+    scene.camera.targetWorld = {2.6, 0.6, 1};
+    scene.camera.fovYDegrees = 60;
+    return scene;
+}
+
+/// Solved, and what a picture of 64 x 36 pixels of it shows.
+class SolvedRoom {
+public:
+    SolvedRoom() {
+        RadiosityParams params;
+        params.patches = 400;
+        while (!cache_.advance(snapshot_, params, Deadline::max())) {
+        }
+        sources_ = sourcesOf(cache_.room(), cache_.lights(), dvec3(0));
+        balance_.restart(cache_.exchange(), sources_, SolverKind::conjugateGradients);
+        balance_.advance({1e-6, 0}, 0, Deadline::max());
+        reflected_ = balance_.irradianceShown();
+        for (std::size_t i = 0; i < reflected_.size(); ++i)
+            reflected_[i] -= sources_.fromLights[i];
+        View view;
+        view.camera = snapshot_->camera;
+        view.size = {64, 36};
+        while (!light_.advance(snapshot_, view, Deadline::max())) {
+        }
+        guide_ = GatherGuide(cache_.room(), cache_.exchange().matrix, balance_.radiosity(), dvec3(0));
+    }
+    [[nodiscard]] const Room& room() const { return cache_.room(); }
+    [[nodiscard]] const GatherGuide& guide() const { return guide_; }
+
+    /// The irradiance of each pixel that shows something, green, W/m^2.
+    [[nodiscard]] std::vector<double> gathered(const GatherGuide& guide, std::size_t rays) const {
+        static const Openings kNone;
+        const GatherSolution solution{cache_, sources_, guide, kNone, reflected_, dvec3(0), balance_.version()};
+        std::vector<double> found;
+        for (int y = 0; y < light_.size().y; ++y)
+            for (int x = 0; x < light_.size().x; ++x) {
+                const dvec2 shift = glm::fract(dvec2(x * std::sqrt(2.0) + y * std::sqrt(3.0), x * std::sqrt(5.0) + y * std::sqrt(7.0)));
+                if (light_.pointAt({x, y})) found.push_back(gather(solution, light_, {x, y}, {shift, 0, rays}).irradiance.g / static_cast<double>(rays));
+            }
+        return found;
+    }
+
+private:
+    scene::Snapshot snapshot_ = testing::snapshot(roomWithSpot());
+    RoomCache cache_;
+    Sources sources_;
+    LightBalance balance_;
+    std::vector<dvec3> reflected_;
+    PixelLight light_;
+    GatherGuide guide_;
+};
+
+const SolvedRoom& solvedRoom() {
+    static const SolvedRoom room;
+    return room;
+}
+
+// From what the spot lights itself most of the light comes from all sides; from everywhere else, out of the spot.
+TEST(GatherGuide, LightIsUnevenWhereItComesOutOfASmallPlace) {
+    const Room& room = solvedRoom().room();
+    double uneven = 0, floor = 0, ceiling = 0;
+    for (std::uint32_t i = 0; i < room.patches().size(); ++i) {
+        const Patch& patch = room.patches()[i];
+        const double height = patch.centre.y + room.world().originWorld.y;
+        if (height < 0.01) floor += patch.area, uneven += solvedRoom().guide().isUneven(i) ? patch.area : 0;
+        if (height > 2.99) ceiling += solvedRoom().guide().isUneven(i) ? patch.area : 0;
+    }
+    EXPECT_GT(floor, 14);
+    EXPECT_GT(uneven, 0.9 * floor);
+    EXPECT_EQ(ceiling, 0) << "it sees all that the spot lights";
+}
+
+// One over the density with which a point was chosen, summed over the choices that fell on a patch, is the patch's area.
+TEST(GatherGuide, PointsAreChosenAsOftenAsTheirDensitySays) {
+    const GatherGuide& guide = solvedRoom().guide();
+    const Room& room = solvedRoom().room();
+    constexpr int kChoices = 200'000;
+    int rows = 0, patches = 0;
+    for (std::uint32_t at = 0; at < room.patches().size(); at += 41) {
+        if (!guide.isUneven(at)) continue;
+        ++rows;
+        std::vector<double> areas(room.patches().size(), 0.0);
+        std::vector<int> counts(room.patches().size(), 0);
+        for (int i = 0; i < kChoices; ++i) {
+            const auto x = testing::quasirandom4(i);
+            const GatherGuide::Choice choice = guide.choose(at, x[0], {x[1], x[2]});
+            ASSERT_GT(choice.density, 0);
+            areas[choice.patch] += 1 / choice.density / kChoices;
+            ++counts[choice.patch];
+        }
+        double all = 0;
+        for (std::uint32_t j = 0; j < room.patches().size(); ++j) {
+            const double area = room.patches()[j].area;
+            all += area * guide.density(at, j);
+            if (counts[j] < 1000) continue;
+            EXPECT_NEAR(areas[j], area, 0.02 * area) << "a thousand choices, evenly spread";
+            EXPECT_NEAR(guide.density(at, j) * area, static_cast<double>(counts[j]) / kChoices, 0.02 * counts[j] / kChoices);
+            ++patches;
+        }
+        EXPECT_NEAR(all, 1, 1e-6) << "floats";
+    }
+    EXPECT_GT(rows, 4);
+    EXPECT_GT(patches, 50);
+}
+
+// Both kinds of rays together find the same light, and with far less noise than those in all directions alone.
+TEST(GatherGuide, ChosenPointsTakeNoiseAway) {
+    const std::vector<double> exact = solvedRoom().gathered(GatherGuide{}, 8192), alone = solvedRoom().gathered(GatherGuide{}, 128),
+                              guided = solvedRoom().gathered(solvedRoom().guide(), 64);
+    ASSERT_GT(exact.size(), 2000u);
+    const auto compare = [&](const std::vector<double>& found) {
+        double mean = 0, error = 0, square = 0;
+        for (std::size_t i = 0; i < exact.size(); ++i) {
+            mean += exact[i];
+            error += found[i] - exact[i];
+            square += (found[i] - exact[i]) * (found[i] - exact[i]);
+        }
+        return std::pair(error / mean, std::sqrt(square * static_cast<double>(exact.size())) / mean);
+    };
+    const auto [meanAlone, noiseAlone] = compare(alone);
+    const auto [meanGuided, noiseGuided] = compare(guided);
+    std::cout << "128 rays in all directions: mean " << 100 * meanAlone << " %, noise " << 100 * noiseAlone << " %; 64 and 64 to chosen points: mean "
+              << 100 * meanGuided << " %, noise " << 100 * noiseGuided << " %\n";
+    EXPECT_NEAR(meanGuided, 0, 0.01) << "2304 pixels with a noise of a tenth each, and those of the reference";
+    EXPECT_LT(noiseGuided, 0.5 * noiseAlone);
+}
+
+} // namespace
+} // namespace shadowlab::radiosity
