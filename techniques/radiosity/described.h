@@ -63,7 +63,7 @@ inline constexpr PassInfo kPasses[] = {
             "eye may move, and nothing has to be solved again.",
      .glState = "depth test EQUAL, interpolated between the corners of patches",
      .formula = "I = B_j / pi",
-     .anchors = "radiosity-shown final-gather shared-gather"},
+     .anchors = "radiosity-shown final-gather chosen-point shared-gather"},
     {.id = "direct",
      .title = "Add one light's direct light, found for each pixel",
      .why = "Patches are far larger than the edge of a shadow; but light that comes by way of other surfaces changes slowly. So "

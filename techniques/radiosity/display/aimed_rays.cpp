@@ -40,6 +40,7 @@ std::optional<Aim> aimAt(const dvec3& positionWorld, const dvec3& facing, const 
     return aim;
 }
 
+// [anchor: chosen-point]
 std::optional<Met> chosenPoint(const GatherGuide& guide, const trace::SceneTracer& tracer, const RayOrigin& from, double which, const dvec2& where) {
     const GatherGuide::Choice chosen = guide.choose(*from.patch, which, where);
     const auto aim = aimAt(chosen.positionWorld, chosen.normal, tracer, from);

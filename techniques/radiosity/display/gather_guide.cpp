@@ -54,7 +54,6 @@ double GatherGuide::share(std::uint32_t at, std::uint32_t other) const {
     return static_cast<double>(upTo_[at][other]) - (other > 0 ? static_cast<double>(upTo_[at][other - 1]) : 0);
 }
 
-// [anchor: gather-guide]
 GatherGuide::Choice GatherGuide::choose(std::uint32_t at, double which, const dvec2& where) const {
     const std::vector<float>& upTo = upTo_[at];
     const auto found = std::ranges::upper_bound(upTo, static_cast<float>(which)); // rounded to 1 it is the end: then the last that has a share
