@@ -16,6 +16,9 @@ namespace {
 // of them end before: at 1 the room with lamps took an eighth longer, and from 2 to 4 noise in a room with the sun on its floor grew by a twentieth.
 constexpr double kUneven = 2;
 
+// A patch that sees more than this share of its view outside stands under the open sky. The side of a box on a ground sees half of it.
+constexpr double kOpenSky = 0.4;
+
 /// That variance, for a patch of that area: `exchange` S_ij, `sent` the luminance of each radiosity, and `sky` that of what comes from where it sees no surface.
 double relativeVariance(std::span<const double> exchange, double area, std::span<const double> sent, double sky, double shareOfSky) {
     double mean = shareOfSky * sky, meanSquare = shareOfSky * sky * sky;
@@ -28,22 +31,24 @@ double relativeVariance(std::span<const double> exchange, double area, std::span
 
 } // namespace
 
-GatherGuide::GatherGuide(const Room& room, const ExchangeMatrix& exchange, std::span<const dvec3> radiosity, const dvec3& outside)
+GatherGuide::GatherGuide(const Room& room, const ExchangeMatrix& exchange, std::span<const dvec3> radiosity, std::span<const dvec3> emission, const dvec3& outside)
     : room_(&room), upTo_(exchange.size()) {
-    std::vector<double> sent(exchange.size()), chosen(exchange.size(), 0.0);
+    std::vector<double> sent(exchange.size()), emitted(exchange.size());
+    std::vector<std::uint8_t> isSimplified(exchange.size());
     for (std::size_t j = 0; j < sent.size(); ++j) {
-        const bool isSimplified = !room.simple().cornersOfObject[room.faceOf(room.allPatches()[j]).object].empty();
+        isSimplified[j] = !room.simple().cornersOfObject[room.faceOf(room.allPatches()[j]).object].empty();
         sent[j] = luminance(radiosity[j]);
-        if (!isSimplified) chosen[j] = sent[j];
+        emitted[j] = luminance(emission[j]);
     }
     const double sky = glm::pi<double>() * luminance(outside);
     forRows(upTo_.size(), [&](std::size_t i) {
-        const std::span<const double> row = exchange.row(i);
-        if (relativeVariance(row, room.patches()[i].area, sent, sky, room.surroundings()[i]) <= kUneven) return;
+        const bool isOpen = room.surroundings()[i] > kOpenSky;
+        const std::span<const double> row = exchange.row(i), from = isOpen ? emitted : sent;
+        if (relativeVariance(row, room.patches()[i].area, from, sky, room.surroundings()[i]) <= kUneven) return;
         std::vector<double> sums(row.size());
         double sum = 0;
         for (std::size_t j = 0; j < row.size(); ++j)
-            sums[j] = sum += row[j] * chosen[j];
+            sums[j] = sum += isSimplified[j] ? 0 : row[j] * from[j];
         if (!(sum > 0)) return;
         upTo_[i].resize(row.size());
         std::ranges::transform(sums, upTo_[i].begin(), [&](double one) { return static_cast<float>(one / sum); });

@@ -5,7 +5,9 @@
 // in proportion to that (as paths in H. W. Jensen, "Importance Driven Path Tracing Using the Photon Map", Eurographics Workshop on Rendering 1995, go
 // where photons came from), and both kinds are weighed by how likely each is to find a point (E. Veach and L. Guibas, "Optimally Combining Sampling
 // Techniques for Monte Carlo Rendering", SIGGRAPH 1995: the balance heuristic).
-// Where light comes from all sides, rays in all directions find it well enough, and none is chosen.
+// Where light comes from all sides, rays in all directions find it well enough, and none is chosen. And under the open sky only what patches emit is
+// found on purpose: what they reflect is little there, and while rays do not depend on the lights, pictures by each of them add up to that by all to
+// the last bit. In rooms they add up but for noise.
 // Simplified: a point uses the shares of the whole patch on which it lies, and within a patch all points are chosen alike. Patches of meshes that were
 // simplified are never chosen, since their points lie beside the surface that rays meet. Neither makes the mean wrong: all points can be met by chance.
 // SPDX-License-Identifier: MIT
@@ -22,8 +24,9 @@ class GatherGuide {
 public:
     /// Chooses nothing.
     GatherGuide() = default;
-    /// `radiosity`: of each of Room::allPatches(), W/m^2. `outside`: radiance where a patch sees no surface. The room must outlive this object.
-    GatherGuide(const Room& room, const ExchangeMatrix& exchange, std::span<const dvec3> radiosity, const dvec3& outside);
+    /// `radiosity` and the part of it that is emitted: of each of Room::allPatches(), W/m^2. `outside`: radiance where a patch sees no surface. The room must
+    /// outlive this object.
+    GatherGuide(const Room& room, const ExchangeMatrix& exchange, std::span<const dvec3> radiosity, std::span<const dvec3> emission, const dvec3& outside);
 
     // Patches are numbered as in Room::allPatches(). `at`: on which patch the light arrives.
 

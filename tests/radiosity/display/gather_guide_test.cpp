@@ -33,7 +33,7 @@ scene::Scene roomWithSpot() {
 /// Solved, and what a picture of 64 x 36 pixels of it shows.
 class SolvedRoom {
 public:
-    SolvedRoom() {
+    explicit SolvedRoom(scene::Scene scene) : snapshot_(testing::snapshot(std::move(scene))) {
         RadiosityParams params;
         params.patches = 400;
         while (!cache_.advance(snapshot_, params, Deadline::max())) {
@@ -49,7 +49,7 @@ public:
         view.size = {64, 36};
         while (!light_.advance(snapshot_, view, Deadline::max())) {
         }
-        guide_ = GatherGuide(cache_.room(), cache_.exchange().matrix, balance_.radiosity(), dvec3(0));
+        guide_ = GatherGuide(cache_.room(), cache_.exchange().matrix, balance_.radiosity(), sources_.emission, dvec3(0));
     }
     [[nodiscard]] const Room& room() const { return cache_.room(); }
     [[nodiscard]] const GatherGuide& guide() const { return guide_; }
@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    scene::Snapshot snapshot_ = testing::snapshot(roomWithSpot());
+    scene::Snapshot snapshot_;
     RoomCache cache_;
     Sources sources_;
     LightBalance balance_;
@@ -78,7 +78,7 @@ private:
 };
 
 const SolvedRoom& solvedRoom() {
-    static const SolvedRoom room;
+    static const SolvedRoom room(roomWithSpot());
     return room;
 }
 
@@ -95,6 +95,29 @@ TEST(GatherGuide, LightIsUnevenWhereItComesOutOfASmallPlace) {
     EXPECT_GT(floor, 14);
     EXPECT_GT(uneven, 0.9 * floor);
     EXPECT_EQ(ceiling, 0) << "it sees all that the spot lights";
+}
+
+/// A box on a floor under the open sky, and a plate that glows or not.
+scene::Scene yardWithPlate(float emission) {
+    scene::Scene scene = testing::floorScene();
+    scene.materials.emplace_back().emission = vec3(emission);
+    scene.materials[1].emits = scene::EmittingSides::both;
+    testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation({0, 0.5, 0}));
+    testing::addObject(scene, scene::makeQuad({0.2, 0.2}), testing::translation({0.8, 1, 0})).partMaterials = {1};
+    scene.lights = {testing::pointLight({2, 3, 1})};
+    return scene;
+}
+
+// So that rays are the same whatever the lights, and pictures by each of them add up.
+TEST(GatherGuide, UnderTheOpenSkyOnlyWhatGlowsIsChosen) {
+    const auto unevenArea = [](const SolvedRoom& yard) {
+        double area = 0;
+        for (std::uint32_t i = 0; i < yard.room().patches().size(); ++i)
+            area += yard.guide().isUneven(i) ? yard.room().patches()[i].area : 0;
+        return area;
+    };
+    EXPECT_EQ(unevenArea(SolvedRoom(yardWithPlate(0))), 0);
+    EXPECT_GT(unevenArea(SolvedRoom(yardWithPlate(5))), 1);
 }
 
 // One over the density with which a point was chosen, summed over the choices that fell on a patch, is the patch's area.
