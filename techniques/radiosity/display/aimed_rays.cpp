@@ -12,9 +12,6 @@ namespace {
 // A ray that ends before this share of its way is lacking has arrived: meshes are rounded to floats.
 constexpr double kSamePlace = 1e-5;
 
-// Nearer than that is contact, metres.
-constexpr double kContactDistance = 1e-9;
-
 // Seen along its own plane, a surface is no smaller than this cosine makes it.
 constexpr double kLeastCosine = 1e-9;
 
@@ -36,7 +33,7 @@ std::optional<Aim> aimAt(const dvec3& positionWorld, const dvec3& facing, const 
     if (!(distance > kContactDistance)) return std::nullopt;
     const dvec3 direction = way / distance;
     const Aim aim{direction, distance, glm::dot(direction, from.normal), -glm::dot(direction, facing)};
-    if (aim.cosineHere <= 0 || aim.cosineThere <= 0 || glm::dot(direction, geometricNormal(tracer, from.point)) <= 0) return std::nullopt;
+    if (aim.cosineHere <= 0 || aim.cosineThere <= 0 || glm::dot(direction, from.flat) <= 0) return std::nullopt;
     return aim;
 }
 

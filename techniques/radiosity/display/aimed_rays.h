@@ -20,11 +20,15 @@ double densityOfDirection(double density, double distance, double cosineThere);
 /// The triangle's own unit normal, on the side from which the point was found.
 dvec3 geometricNormal(const trace::SceneTracer& tracer, const trace::SurfacePoint& point);
 
+/// Nearer than that is contact, metres.
+inline constexpr double kContactDistance = 1e-9;
+
 /// From where rays are sent.
 struct RayOrigin {
     const trace::SurfacePoint& point;
     dvec3 normal{0.0}; ///< unit, of shading
-    std::optional<std::uint32_t> patch; ///< where isUneven(): on which it lies
+    dvec3 flat{0.0};   ///< the geometricNormal()
+    std::optional<std::uint32_t> patch{}; ///< where isUneven(): on which it lies
 };
 
 /// A ray to a chosen point.

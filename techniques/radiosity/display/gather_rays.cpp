@@ -15,9 +15,6 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Nearer than that is contact, metres.
-constexpr double kLeastDistance = 1e-9;
-
 /// Directions about a normal, one for each point of the sequence from `first` on; those near the normal are more likely, by the
 /// cosine, so all count alike. One turns by the same angle from each to the next, so that sine and cosine are found once.
 class CosineDirections {
@@ -85,8 +82,8 @@ std::optional<std::uint32_t> unevenPatch(const trace::SurfacePoint& point, const
 Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 pixel, const GatherRays& rays) {
     const trace::SceneTracer& tracer = light.tracer();
     const trace::SurfacePoint& point = light.pointAt(pixel);
-    const RayOrigin origin{point, light.normalWorld(point), unevenPatch(point, solution, tracer)};
-    const dvec3 from = tracer.positionCentred(point), flat = geometricNormal(tracer, point);
+    const RayOrigin origin{point, light.normalWorld(point), geometricNormal(tracer, point), unevenPatch(point, solution, tracer)};
+    const dvec3 from = tracer.positionCentred(point);
     CosineDirections directions(origin.normal, rays.shift, rays.first);
     const bool asksOpenings = !solution.openings.isEmpty() && solution.openings.surround(tracer.positionWorld(point));
     Gathered sum;
@@ -96,11 +93,11 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
         const RayNumbers numbers(i, rays.shift);
         // A smooth normal leans: what would go through the surface is turned back to its side. (Simplified: near the rim of a round
         // body some directions then count twice, and others not at all.)
-        const dvec3 direction = leaning - 2 * std::min(0.0, glm::dot(leaning, flat)) * flat;
+        const dvec3 direction = leaning - 2 * std::min(0.0, glm::dot(leaning, origin.flat)) * origin.flat;
         const trace::SurfacePoint met = tracer.nextPoint(from, point.primitive, direction);
         // A surface that sends B all over the half sphere brings B.
         if (met) {
-            const double distance = std::max(glm::distance(from, tracer.positionCentred(met)), kLeastDistance);
+            const double distance = std::max(glm::distance(from, tracer.positionCentred(met)), kContactDistance);
             sum.nearness += 1 / distance;
             ++sum.met;
             const Sent sent = sentFrom(met, distance, solution, tracer, numbers);

@@ -60,7 +60,7 @@ private:
     [[nodiscard]] dvec3 onward(const trace::SurfacePoint& point, std::uint32_t patch, int reflections) const {
         const dvec3 normal = geometricNormal(tracer_, point), tangent = perpendicularTo(normal);
         const bool mayChoose = solution_.guide.isUneven(patch);
-        const RayOrigin from{point, normal, mayChoose ? std::optional(patch) : std::nullopt};
+        const RayOrigin from{point, normal, normal, mayChoose ? std::optional(patch) : std::nullopt};
         const double which = numbers_.onwardWhich(reflections), ofKinds = mayChoose ? 2 : 1;
         if (mayChoose && which < 0.5) {
             const auto met = chosenPoint(solution_.guide, tracer_, from, ofKinds * which, numbers_.onward(reflections));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "techniques/foundation/math/random_pair.h"
 #include "techniques/radiosity/display/gather_rays.h"
 #include "tests/radiosity/quasirandom.h"
 #include "tests/radiosity/scene_room.h"
@@ -60,10 +61,9 @@ public:
         const GatherSolution solution{cache_, sources_, guide, kNone, reflected_, dvec3(0), balance_.version()};
         std::vector<double> found;
         for (int y = 0; y < light_.size().y; ++y)
-            for (int x = 0; x < light_.size().x; ++x) {
-                const dvec2 shift = glm::fract(dvec2(x * std::sqrt(2.0) + y * std::sqrt(3.0), x * std::sqrt(5.0) + y * std::sqrt(7.0)));
-                if (light_.pointAt({x, y})) found.push_back(gather(solution, light_, {x, y}, {shift, 0, rays}).irradiance.g / static_cast<double>(rays));
-            }
+            for (int x = 0; x < light_.size().x; ++x)
+                if (light_.pointAt({x, y}))
+                    found.push_back(gather(solution, light_, {x, y}, {randomPair(pixelKey({x, y})), 0, rays}).irradiance.g / static_cast<double>(rays));
         return found;
     }
 
