@@ -25,7 +25,8 @@ from window_driver import Display  # noqa: E402
 NONE = "/none"
 BARE = {"DPKG_ADMINDIR": "bare"}  # where nothing is installed, as dpkg is told of it
 EGL, OSMESA, GLX = "libEGL", "libOSMesa", "libGLX:libGL.so"
-# Mesa's GLX crashes, in three of 25 tries, where the X server dies just while a window is made: that moment is tried again.
+# Mesa's GLX reads a reply that never came, and crashes, where the X server dies while a window is made. As this can take a tenth of a
+# second and more, the same moment would be met again: each further try waits twice as long as the one before, the last 1.6 s or more.
 MESA_TRIES = 5
 LONGEST = 20  # seconds from the display's end to the program's; that is a hang
 
@@ -239,8 +240,8 @@ def display_that_goes(trial):
     for words, seconds in ((["demo", "box.json", "--report"], 0.1), (["demo", "box.json", "--report"], 0.4), (["demo", "box.json", "--report"], None),
                            (["demo", "--lesson", "acne", "--report"], None)):
         wrong = "not tried"
-        for _ in range(1 if seconds is None else MESA_TRIES):
-            status, wrong = display_goes(trial, words, seconds)
+        for attempt in range(1 if seconds is None else MESA_TRIES):
+            status, wrong = display_goes(trial, words, seconds and seconds * 2 ** attempt)
             if not wrong or status != -signal.SIGSEGV:
                 break
         trial.tried += 1
