@@ -89,6 +89,7 @@ void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& p
     drawn_.reset();
     exchange_.reset();
     cells_.reset();
+    spheres_.clear();
     room_ = std::make_unique<Room>(*roomSnapshot_, key_.settings, eye);
     lastEye_ = eye;
     isCutForLastEye_ = true;
@@ -223,6 +224,11 @@ bool RoomCache::advanceLights(Deadline deadline) {
         cached.builder.reset();
     }
     return true;
+}
+
+const CoveringSpheres& RoomCache::spheresOf(std::uint32_t object) const {
+    const auto found = spheres_.find(object);
+    return found != spheres_.end() ? found->second : spheres_.emplace(object, roomSnapshot_->objects[object]).first->second;
 }
 
 std::vector<const DirectLight*> RoomCache::lights() const {

@@ -228,7 +228,7 @@ private:
     const GatherGuide& guide(const dvec3& outside) {
         const LightBalance& balance = solution_->balance();
         if (guide_.first != balance.version())
-            guide_ = {balance.version(), GatherGuide(solution_->cache().room(), solution_->cache().exchange().matrix, balance.radiosity(), solution_->sources().emission, outside)};
+            guide_ = {balance.version(), GatherGuide(solution_->cache(), solution_->sources(), balance.radiosity(), outside)};
         return guide_.second;
     }
 

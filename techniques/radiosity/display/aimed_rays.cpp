@@ -12,14 +12,7 @@ namespace {
 // A ray that ends before this share of its way is lacking has arrived: meshes are rounded to floats.
 constexpr double kSamePlace = 1e-5;
 
-// Seen along its own plane, a surface is no smaller than this cosine makes it.
-constexpr double kLeastCosine = 1e-9;
-
 } // namespace
-
-double densityOfDirection(double density, double distance, double cosineThere) {
-    return density * distance * distance / std::max(cosineThere, kLeastCosine);
-}
 
 dvec3 geometricNormal(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
     const trace::Triangle& t = tracer.bvh().triangles[point.primitive];
@@ -39,21 +32,26 @@ std::optional<Aim> aimAt(const dvec3& positionWorld, const dvec3& facing, const 
 
 // [anchor: chosen-point]
 std::optional<Met> chosenPoint(const GatherGuide& guide, const trace::SceneTracer& tracer, const RayOrigin& from, double which, const dvec2& where) {
-    const GatherGuide::Choice chosen = guide.choose(*from.patch, which, where);
-    const auto aim = aimAt(chosen.positionWorld, chosen.normal, tracer, from);
-    if (!aim) return std::nullopt;
-    const trace::SurfacePoint met = tracer.nextPoint(from.point, aim->direction);
-    if (!met || glm::distance(tracer.positionWorld(met), tracer.positionWorld(from.point)) < (1 - kSamePlace) * aim->distance) return std::nullopt;
-    const double byChance = aim->cosineHere / glm::pi<double>();
-    const double byChoice = densityOfDirection(guide.density(*from.patch, chosen.patch), aim->distance, aim->cosineThere);
-    const double density = densityOfDirection(chosen.density, aim->distance, aim->cosineThere);
-    return Met{met, aim->distance, balanced(byChoice, byChance) * byChance / density};
+    const auto way = guide.choose(*from.patch, tracer.positionWorld(from.point), which, where);
+    if (!way) return std::nullopt;
+    const double cosineHere = glm::dot(way->direction, from.normal);
+    if (cosineHere <= 0 || glm::dot(way->direction, from.flat) <= 0) return std::nullopt;
+    const trace::SurfacePoint met = tracer.nextPoint(from.point, way->direction);
+    if (!met) return std::nullopt;
+    const double distance = glm::distance(tracer.positionCentred(met), tracer.positionCentred(from.point));
+    const bool isChosen = way->object ? tracer.world().objects[met.primitive] == *way->object : distance >= (1 - kSamePlace) * way->distance;
+    if (!isChosen) return std::nullopt;
+    // Counted by the balance heuristic: its share, way->density / (way->density + byChance), times byChance / way->density.
+    const double byChance = cosineHere / glm::pi<double>();
+    return Met{met, std::max(distance, kContactDistance), byChance / (way->density + byChance)};
 }
 
-double shareByChance(const GatherGuide& guide, const RayOrigin& from, const std::optional<std::uint32_t>& patchThere, double distance, double cosineHere,
-                     double cosineThere) {
+double shareByChance(const GatherGuide& guide, const trace::SceneTracer& tracer, const RayOrigin& from, const dvec3& direction, const trace::SurfacePoint& met,
+                     const std::optional<std::uint32_t>& patchThere, double distance) {
     if (!from.patch || !patchThere) return 1;
-    return balanced(cosineHere / glm::pi<double>(), densityOfDirection(guide.density(*from.patch, *patchThere), distance, cosineThere));
+    const double cosineHere = glm::dot(direction, from.normal), cosineThere = -glm::dot(direction, geometricNormal(tracer, met));
+    const double byChoice = guide.density(*from.patch, tracer.positionWorld(from.point), direction, {*patchThere, distance, cosineThere});
+    return balanced(cosineHere / glm::pi<double>(), byChoice);
 }
 
 } // namespace shadowlab::radiosity

@@ -1,4 +1,4 @@
-// Rays to chosen points, and how much of what two kinds of rays may find counts for each of them.
+// Rays to chosen points, or in chosen directions, and how much of what two kinds of rays may find counts for each of them.
 //
 // Directions about a normal that are chosen by the cosine have the density cosine / pi, 1/sr. Points of a surface that are chosen with a density, 1/m^2,
 // have that times distance^2 / cosine there, 1/sr, as directions. What both may find is weighed by these (the balance heuristic, gather_guide.h).
@@ -14,14 +14,8 @@ namespace shadowlab::radiosity {
 /// The share of what is found in a direction that counts where two kinds of rays may find it, one with this density and another.
 inline double balanced(double density, double densityOfOther) { return density > 0 ? density / (density + densityOfOther) : 0; }
 
-/// The density of a direction, 1/sr, in which one sees the point, from that of the point on its surface.
-double densityOfDirection(double density, double distance, double cosineThere);
-
 /// The triangle's own unit normal, on the side from which the point was found.
 dvec3 geometricNormal(const trace::SceneTracer& tracer, const trace::SurfacePoint& point);
-
-/// Nearer than that is contact, metres.
-inline constexpr double kContactDistance = 1e-9;
 
 /// From where rays are sent.
 struct RayOrigin {
@@ -31,7 +25,7 @@ struct RayOrigin {
     std::optional<std::uint32_t> patch{}; ///< where isUneven(): on which it lies
 };
 
-/// A ray to a chosen point.
+/// A ray to a point.
 struct Aim {
     dvec3 direction{0.0};
     double distance = 0, cosineHere = 0, cosineThere = 0;
@@ -39,17 +33,17 @@ struct Aim {
 /// `facing`: of the surface there, toward those who see it. Nothing: they do not face each other.
 std::optional<Aim> aimAt(const dvec3& positionWorld, const dvec3& facing, const trace::SceneTracer& tracer, const RayOrigin& from);
 
-/// What a ray to a chosen point has met there.
+/// What a ray that was chosen has met.
 struct Met {
     trace::SurfacePoint point;
     double distance = 0; ///< metres
     double share = 0;    ///< of the radiosity there, that counts as irradiance here
 };
-/// Nothing: something else is met before. `from` has a patch.
+/// Nothing: what was chosen is not seen. `from` has a patch.
 std::optional<Met> chosenPoint(const GatherGuide& guide, const trace::SceneTracer& tracer, const RayOrigin& from, double which, const dvec2& where);
 
-/// The share that counts of what a ray in any direction meets on that patch, if points are also chosen from there. `cosineHere`: of that direction.
-double shareByChance(const GatherGuide& guide, const RayOrigin& from, const std::optional<std::uint32_t>& patchThere, double distance, double cosineHere,
-                     double cosineThere);
+/// The share that counts of what a ray in any direction meets on that patch, if rays are also chosen from there.
+double shareByChance(const GatherGuide& guide, const trace::SceneTracer& tracer, const RayOrigin& from, const dvec3& direction, const trace::SurfacePoint& met,
+                     const std::optional<std::uint32_t>& patchThere, double distance);
 
 } // namespace shadowlab::radiosity

@@ -19,6 +19,12 @@ constexpr double kUneven = 2;
 // A patch that sees more than this share of its view outside stands under the open sky. The side of a box on a ground sees half of it.
 constexpr double kOpenSky = 0.4;
 
+// At least so many points of a patch are chosen alike everywhere: the lines by which its cells are known may have missed some of its light.
+constexpr double kAlike = 0.2;
+
+// Seen along its own plane, a surface is no smaller than this cosine makes it.
+constexpr double kLeastCosine = 1e-9;
+
 /// That variance, for a patch of that area: `exchange` S_ij, `sent` the luminance of each radiosity, and `sky` that of what comes from where it sees no surface.
 double relativeVariance(std::span<const double> exchange, double area, std::span<const double> sent, double sky, double shareOfSky) {
     double mean = shareOfSky * sky, meanSquare = shareOfSky * sky * sky;
@@ -29,49 +35,135 @@ double relativeVariance(std::span<const double> exchange, double area, std::span
     return mean > 0 ? meanSquare / (mean * mean) - 1 : 0;
 }
 
+bool isSimplified(const Room& room, std::uint32_t object) { return !room.simple().cornersOfObject[object].empty(); }
+
+/// The simplified objects that send more than others do, as no light is uneven by those that do not. `sent`: luminance of each of Room::patches().
+std::vector<std::uint32_t> brightMeshes(const Room& room, std::span<const double> sent) {
+    std::vector<double> ofObject(room.simple().scene->objects.size()), areas(ofObject.size());
+    double all = 0, allAreas = 0;
+    for (std::size_t j = 0; j < sent.size(); ++j) {
+        const Patch& patch = room.patches()[j];
+        const std::uint32_t object = room.faceOf(patch).object;
+        ofObject[object] += patch.area * sent[j], all += patch.area * sent[j];
+        areas[object] += patch.area, allAreas += patch.area;
+    }
+    std::vector<std::uint32_t> bright;
+    for (std::uint32_t object = 0; object < ofObject.size(); ++object)
+        if (isSimplified(room, object) && ofObject[object] * allAreas > kUneven * all * areas[object]) bright.push_back(object);
+    return bright;
+}
+
+/// Of ascending sums up to 1, the place of the first above `which`, and how far `which` goes beyond the sum before it, as a share of the step.
+std::pair<std::uint32_t, double> chosenOf(std::span<const float> upTo, double which) {
+    const auto above = std::ranges::upper_bound(upTo, static_cast<float>(which)); // rounded to 1 it is the end: then the last that has a share
+    const auto found = above == upTo.end() ? std::ranges::lower_bound(upTo, upTo.back()) : above;
+    const auto before = found == upTo.begin() ? 0.0 : static_cast<double>(*(found - 1));
+    return {static_cast<std::uint32_t>(found - upTo.begin()), glm::clamp((which - before) / (static_cast<double>(*found) - before), 0.0, 1.0)};
+}
+
 } // namespace
 
-GatherGuide::GatherGuide(const Room& room, const ExchangeMatrix& exchange, std::span<const dvec3> radiosity, std::span<const dvec3> emission, const dvec3& outside)
-    : room_(&room), upTo_(exchange.size()) {
-    std::vector<double> sent(exchange.size()), emitted(exchange.size());
-    std::vector<std::uint8_t> isSimplified(exchange.size());
-    for (std::size_t j = 0; j < sent.size(); ++j) {
-        isSimplified[j] = !room.simple().cornersOfObject[room.faceOf(room.allPatches()[j]).object].empty();
+double densityOfDirection(double density, double distance, double cosineThere) {
+    return density * distance * distance / std::max(cosineThere, kLeastCosine);
+}
+
+GatherGuide::GatherGuide(const RoomCache& cache, const Sources& sources, std::span<const dvec3> radiosity, const dvec3& outside)
+    : room_(&cache.room()), targets_(sources.size(), kNone), upTo_(room_->patches().size()) {
+    const ExchangeMatrix& exchange = cache.exchange().matrix;
+    const auto count = static_cast<std::uint32_t>(upTo_.size());
+    std::vector<double> sent(count), emitted(count);
+    for (std::uint32_t j = 0; j < count; ++j) {
         sent[j] = luminance(radiosity[j]);
-        emitted[j] = luminance(emission[j]);
+        emitted[j] = luminance(sources.emission[j]);
+    }
+    for (const std::uint32_t object : brightMeshes(*room_, sent))
+        meshes_.push_back({object, &cache.spheresOf(object)});
+    for (std::uint32_t j = 0; j < count; ++j) {
+        const std::uint32_t object = room_->faceOf(room_->patches()[j]).object;
+        const auto mesh = std::ranges::find(meshes_, object, &Mesh::object);
+        if (mesh != meshes_.end()) targets_[j] = count + static_cast<std::uint32_t>(mesh - meshes_.begin());
+        if (!isSimplified(*room_, object)) targets_[j] = j;
+        spreads_.push_back(targets_[j] == j ? spreadOf(cache, sources, j, sent[j]) : std::nullopt);
     }
     const double sky = glm::pi<double>() * luminance(outside);
-    forRows(upTo_.size(), [&](std::size_t i) {
-        const bool isOpen = room.surroundings()[i] > kOpenSky;
-        const std::span<const double> row = exchange.row(i), from = isOpen ? emitted : sent;
-        if (relativeVariance(row, room.patches()[i].area, from, sky, room.surroundings()[i]) <= kUneven) return;
-        std::vector<double> sums(row.size());
-        double sum = 0;
-        for (std::size_t j = 0; j < row.size(); ++j)
-            sums[j] = sum += isSimplified[j] ? 0 : row[j] * from[j];
-        if (!(sum > 0)) return;
-        upTo_[i].resize(row.size());
-        std::ranges::transform(sums, upTo_[i].begin(), [&](double one) { return static_cast<float>(one / sum); });
+    forRows(count, [&](std::size_t i) {
+        const Patch& patch = room_->patches()[i];
+        const std::span<const double> row = exchange.row(i), from = isOpen(static_cast<std::uint32_t>(i)) ? emitted : sent;
+        if (relativeVariance(row, patch.area, from, sky, room_->surroundings()[i]) <= kUneven) return;
+        std::vector<double> sums(count + meshes_.size());
+        for (std::size_t j = 0; j < count; ++j)
+            if (targets_[j] != kNone) sums[targets_[j]] += row[j] * from[j];
+        for (std::size_t m = 0; m < meshes_.size(); ++m)
+            if (meshes_[m].spheres->hold(room_->world().originWorld + patch.centre)) sums[count + m] = 0;
+        for (std::size_t j = 1; j < sums.size(); ++j)
+            sums[j] += sums[j - 1];
+        if (!(sums.back() > 0)) return;
+        upTo_[i].resize(sums.size());
+        std::ranges::transform(sums, upTo_[i].begin(), [&](double one) { return static_cast<float>(one / sums.back()); });
     });
 }
 
-double GatherGuide::share(std::uint32_t at, std::uint32_t other) const {
-    return static_cast<double>(upTo_[at][other]) - (other > 0 ? static_cast<double>(upTo_[at][other - 1]) : 0);
+/// `sent`: the luminance of all that the patch sends.
+std::optional<GatherGuide::Spread> GatherGuide::spreadOf(const RoomCache& cache, const Sources& sources, std::uint32_t patch, double sent) {
+    std::array<double, PatchCells::kCount> ofCells{};
+    double all = 0, most = 0;
+    for (const DirectLight* light : cache.lights())
+        for (std::size_t c = 0; c < ofCells.size(); ++c)
+            ofCells[c] += luminance(sources.reflectance[patch] * light->irradiance[patch]) * static_cast<double>(light->cells[patch][c]);
+    for (const double one : ofCells)
+        all += one, most = std::max(most, one);
+    // Where no cell has twice its share, choosing by them gains less than a point to a cell is worth.
+    if (!(most * PatchCells::kCount > 2 * all)) return std::nullopt;
+    Spread spread{PatchCells(cache.room().patches()[patch].polygon), {}, std::min(1 - kAlike, all / sent)};
+    double sum = 0;
+    for (std::size_t c = 0; c < ofCells.size(); ++c)
+        spread.upTo[c] = static_cast<float>((sum += ofCells[c]) / all);
+    return spread;
 }
 
-GatherGuide::Choice GatherGuide::choose(std::uint32_t at, double which, const dvec2& where) const {
-    const std::vector<float>& upTo = upTo_[at];
-    const auto found = std::ranges::upper_bound(upTo, static_cast<float>(which)); // rounded to 1 it is the end: then the last that has a share
-    const auto patch = static_cast<std::uint32_t>((found == upTo.end() ? std::ranges::lower_bound(upTo, upTo.back()) : found) - upTo.begin());
-    const Patch& one = room_->patches()[patch];
-    const Place place = placeIn(one.polygon, where.x, where.y);
-    // Where the map to the polygon stretches the unit square, points are fewer.
-    const double stretched = one.polygon.count() == 3 ? one.area : one.polygon.count() == 4 ? place.weight : 0.5 * place.weight;
-    return {patch, room_->world().originWorld + place.point, one.normal, share(at, patch) / stretched};
+bool GatherGuide::isOpen(std::uint32_t at) const { return room_->surroundings()[at] > kOpenSky; }
+
+const GatherGuide::Spread* GatherGuide::spread(std::uint32_t at, std::uint32_t patch) const {
+    return spreads_[patch] && !isOpen(at) ? &*spreads_[patch] : nullptr;
 }
 
-double GatherGuide::density(std::uint32_t at, std::uint32_t other) const {
-    return other < upTo_[at].size() ? share(at, other) / room_->patches()[other].area : 0;
+double GatherGuide::share(std::uint32_t at, std::uint32_t target) const {
+    return static_cast<double>(upTo_[at][target]) - (target > 0 ? static_cast<double>(upTo_[at][target - 1]) : 0);
+}
+
+double GatherGuide::densityOfPoint(std::uint32_t at, std::uint32_t patch, const dvec3& positionWorld) const {
+    const double alike = 1 / room_->patches()[patch].area;
+    const Spread* by = spread(at, patch);
+    const double within = by ? (1 - by->share) * alike + by->of(by->cells.at(positionWorld - room_->world().originWorld)) / by->cells.area() : alike;
+    return share(at, patch) * within;
+}
+
+std::optional<GatherGuide::Way> GatherGuide::choose(std::uint32_t at, const dvec3& fromWorld, double which, const dvec2& where) const {
+    const auto [target, rest] = chosenOf(upTo_[at], which);
+    if (target >= room_->patches().size()) {
+        const Mesh& mesh = meshes_[target - room_->patches().size()];
+        const auto direction = mesh.spheres->direction(fromWorld, rest, where);
+        if (!direction) return std::nullopt;
+        return Way{*direction, share(at, target) * mesh.spheres->density(fromWorld, *direction), 0, mesh.object};
+    }
+    const Patch& patch = room_->patches()[target];
+    const Spread* by = spread(at, target);
+    const dvec3 point = room_->world().originWorld + (by && rest < by->share ? by->cells.pointIn(chosenOf(by->upTo, rest / by->share).first, where)
+                                                                              : evenPlaceIn(patch.polygon, where.x, where.y));
+    const double distance = glm::distance(point, fromWorld);
+    const bool isBeside = by && !holds(patch.polygon, point - room_->world().originWorld, patch.normal);
+    if (isBeside || !(distance > kContactDistance)) return std::nullopt;
+    const dvec3 direction = (point - fromWorld) / distance;
+    const double cosineThere = -glm::dot(direction, patch.normal);
+    if (cosineThere <= 0) return std::nullopt;
+    return Way{direction, densityOfDirection(densityOfPoint(at, target, point), distance, cosineThere), distance, std::nullopt};
+}
+
+double GatherGuide::density(std::uint32_t at, const dvec3& fromWorld, const dvec3& direction, const Found& found) const {
+    const std::uint32_t target = targets_[found.patch];
+    if (target == kNone) return 0;
+    if (target >= room_->patches().size()) return share(at, target) * meshes_[target - room_->patches().size()].spheres->density(fromWorld, direction);
+    return densityOfDirection(densityOfPoint(at, target, fromWorld + found.distance * direction), found.distance, found.cosineThere);
 }
 
 } // namespace shadowlab::radiosity

@@ -101,8 +101,7 @@ Gathered gather(const GatherSolution& solution, const PixelLight& light, ivec2 p
             sum.nearness += 1 / distance;
             ++sum.met;
             const Sent sent = sentFrom(met, distance, solution, tracer, numbers);
-            const double cosineThere = -glm::dot(direction, geometricNormal(tracer, met));
-            sum.irradiance += shareByChance(solution.guide, origin, sent.patch, distance, cosine, cosineThere) * sent.radiosity;
+            sum.irradiance += shareByChance(solution.guide, tracer, origin, direction, met, sent.patch, distance) * sent.radiosity;
         } else {
             const double share = asksOpenings ? shareOfOutside(solution.openings, tracer.positionWorld(point), direction, cosine) : 1;
             sum.irradiance += share * glm::pi<double>() * solution.outside;

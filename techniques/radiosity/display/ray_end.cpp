@@ -40,7 +40,8 @@ public:
             else if (isLit(point, i, *patch))
                 irradiance += scene::irradiance(source, tracer_.positionWorld(point), geometricNormal(tracer_, point));
         }
-        return {solution_.sources.emission[*patch] + reflectanceAt(point) * irradiance, patch};
+        const Room& room = solution_.cache.room();
+        return {room.emissionOf(room.allPatches()[*patch]) + reflectanceAt(point) * irradiance, patch};
     }
 
 private:
@@ -71,8 +72,7 @@ private:
         if (!met) return ofKinds * glm::pi<double>() * solution_.outside;
         const double distance = glm::distance(tracer_.positionCentred(point), tracer_.positionCentred(met));
         const Sent sent = sentFrom(met, distance, reflections + 1);
-        return ofKinds * shareByChance(solution_.guide, from, sent.patch, distance, glm::dot(direction, normal), -glm::dot(direction, geometricNormal(tracer_, met))) *
-               sent.radiosity;
+        return ofKinds * shareByChance(solution_.guide, tracer_, from, direction, met, sent.patch, distance) * sent.radiosity;
     }
 
     /// May a shadow end on the patch? Where it is one of a simplified mesh, and the place lies beside it, it does not know that of the place.

@@ -3,13 +3,6 @@
 
 namespace shadowlab::radiosity {
 
-FaceFrame frameOf(const Polygon& polygon) {
-    const dvec3 normal = areaVector(polygon), along = polygon[1] - polygon[0];
-    if (!(glm::length(normal) > 0) || !(glm::length(along) > 0)) return {polygon[0], {}, {}};
-    const dvec3 u = glm::normalize(along);
-    return {polygon[0], u, glm::normalize(glm::cross(normal, u))};
-}
-
 std::optional<std::uint32_t> patchAt(const SurfaceCells& cells, std::uint32_t triangle, bool fromFront,
                                      const vec3& positionMesh) {
     const vec4 position(positionMesh, 1.0f);

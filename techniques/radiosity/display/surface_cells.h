@@ -17,16 +17,6 @@
 
 namespace shadowlab::radiosity {
 
-/// Coordinates in the plane of a face.
-struct FaceFrame {
-    dvec3 originCentred{0.0}, u{0.0}, v{0.0}; ///< u and v are unit
-    [[nodiscard]] dvec2 place(const dvec3& pointCentred) const {
-        return {glm::dot(u, pointCentred - originCentred), glm::dot(v, pointCentred - originCentred)};
-    }
-};
-/// u is parallel to its first edge. Seen from the front, u and v are right-handed.
-FaceFrame frameOf(const Polygon& polygon);
-
 /// A large original triangle lies in a plane of the simplified mesh if no corner is farther from it than this share of a cell:
 /// the rounding of a table's edges moves the corners of its top a little.
 constexpr double kOffPlane = 0.02;

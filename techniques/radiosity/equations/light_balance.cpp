@@ -15,9 +15,7 @@ Sources sourcesOf(const Room& room, std::span<const DirectLight* const> lights, 
     for (const Patch& patch : room.allPatches()) {
         const std::size_t i = sources.emission.size();
         const double seenOutside = i < room.patches().size() ? room.surroundings()[i] : 1; // loose ones see no surface at all
-        // A Lambertian surface of radiance L sends pi L into its hemisphere.
-        const bool shines = room.faceOf(patch).shines;
-        sources.emission.push_back(shines ? glm::pi<double>() * dvec3(room.materialOf(patch).emission) : dvec3(0.0));
+        sources.emission.push_back(room.areaFactor(patch) * room.emissionOf(patch));
         sources.reflectance.emplace_back(glm::clamp(room.reflectances()[i], 0.0, 1.0));
         sources.fromOutside.push_back(glm::pi<double>() * seenOutside * surroundings);
     }

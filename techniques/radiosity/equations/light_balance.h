@@ -18,7 +18,7 @@ namespace shadowlab::radiosity {
 
 /// For every patch: first those that exchange light, then the loose ones, which see no other.
 struct Sources {
-    std::vector<dvec3> emission;    ///< E_i of the patch itself, W/m^2
+    std::vector<dvec3> emission;    ///< E_i, W/m^2: what its surface emits, times Room::areaFactor()
     std::vector<dvec3> reflectance; ///< rho_i
     std::vector<dvec3> fromLights;  ///< direct irradiance by lights, W/m^2
     std::vector<dvec3> fromOutside; ///< irradiance by the surroundings, where a patch sees no surface, W/m^2

@@ -35,6 +35,7 @@ DirectLightBuilder::DirectLightBuilder(LightSource source, const std::vector<Pat
     light_.irradiance.resize(patches.size(), dvec3(0.0));
     light_.visible.resize(patches.size(), 0.0);
     light_.mayHaveEdge.resize(patches.size(), 0);
+    light_.cells.resize(patches.size(), {});
     light_.seenArea.resize(patches.size(), 0.0);
 }
 
@@ -65,6 +66,8 @@ void DirectLightBuilder::sampleLines(std::size_t i, const Blockers& blockers) {
     const Polygon reached = source_.reached(patch);
     if (reached.isEmpty()) return;
     LineSamples samples;
+    const PatchCells cells(patch.polygon);
+    PatchCells::Shares& shares = light_.cells[i];
     for (int l = 0; l < kLines; ++l) {
         const auto x = hammersley4(l, kLines);
         const Place place = placeIn(reached, x[0], x[1]);
@@ -72,7 +75,11 @@ void DirectLightBuilder::sampleLines(std::size_t i, const Blockers& blockers) {
         const bool isFree =
             line.weight > 0 && (blockers.empty() || !occlusion_.isBlocked(blockers, place.point, line.fromCentred));
         samples.add(place.weight * line.weight, place.weight, isFree);
+        if (isFree) shares[cells.at(place.point)] += static_cast<float>(place.weight * line.weight);
     }
+    if (samples.free > 0)
+        for (float& share : shares)
+            share /= static_cast<float>(samples.free);
     light_.visible[i] = samples.share();
     light_.seenArea[i] = samples.seenArea();
 }

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "techniques/radiosity/lights/light_source.h"
+#include "techniques/radiosity/patches/patch_cells.h"
 
 namespace shadowlab::radiosity {
 
@@ -19,6 +20,8 @@ struct DirectLight {
     std::vector<double> visible;
     /// 1: something may stand before a part of the patch, also where all 64 lines arrive or none does; 0: all points of it have the same answer.
     std::vector<std::uint8_t> mayHaveEdge;
+    /// Where on the patch it arrives, by the same lines: the share of each cell. 0 in all of them: nowhere.
+    std::vector<PatchCells::Shares> cells;
     /// 0..1: the mean share of the light's area that is seen; what lies behind the patch's plane is not.
     std::vector<double> seenArea;
 };

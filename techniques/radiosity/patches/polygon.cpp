@@ -29,6 +29,13 @@ dvec3 centroid(const Polygon& polygon) {
 
 Plane planeOf(const Polygon& polygon) { return {centroid(polygon), glm::normalize(areaVector(polygon))}; }
 
+FaceFrame frameOf(const Polygon& polygon) {
+    const dvec3 normal = areaVector(polygon), along = polygon[1] - polygon[0];
+    if (!(glm::length(normal) > 0) || !(glm::length(along) > 0)) return {polygon[0], {}, {}};
+    const dvec3 u = glm::normalize(along);
+    return {polygon[0], u, glm::normalize(glm::cross(normal, u))};
+}
+
 bool holds(const Polygon& polygon, const dvec3& point, const dvec3& normal) {
     for (std::size_t i = 0; i < polygon.count(); ++i) {
         const dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.count()];

@@ -52,6 +52,16 @@ struct Plane {
 };
 Plane planeOf(const Polygon& polygon);
 
+/// Coordinates in the plane of a face.
+struct FaceFrame {
+    dvec3 originCentred{0.0}, u{0.0}, v{0.0}; ///< u and v are unit
+    [[nodiscard]] dvec2 place(const dvec3& pointCentred) const {
+        return {glm::dot(u, pointCentred - originCentred), glm::dot(v, pointCentred - originCentred)};
+    }
+};
+/// u is parallel to its first edge. Seen from the front, u and v are right-handed.
+FaceFrame frameOf(const Polygon& polygon);
+
 /// The contact tolerance: what is nearer than this share of the size of the things compared touches, or lies in a plane. Vertices
 /// are floats: a box that stands on a floor is some 2^-24 of its size above it or below.
 constexpr double kTouching = 2e-7;

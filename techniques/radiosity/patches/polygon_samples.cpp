@@ -35,4 +35,20 @@ Place placeIn(const Polygon& p, double s, double t) {
             triangles * glm::length(glm::cross(p[i + 1] - p[0], p[i + 2] - p[0]))};
 }
 
+dvec3 evenPlaceIn(const Polygon& p, double s, double t) {
+    // Opposite edges of parallelograms are equal, but for the rounding of corners that are floats.
+    const bool isEven = p.count() == 4 && glm::distance(p[1] - p[0], p[2] - p[3]) <= kTouching * glm::distance(p[0], p[2]);
+    if (isEven || p.count() == 3) return placeIn(p, s, t).point;
+    // Strips of the square for the triangles of the fan, each as wide as its triangle is large.
+    const auto twice = [&](std::size_t i) { return glm::length(glm::cross(p[i + 1] - p[0], p[i + 2] - p[0])); };
+    double all = 0;
+    for (std::size_t i = 0; i + 2 < p.count(); ++i)
+        all += twice(i);
+    double left = s * all;
+    std::size_t i = 0;
+    for (; i + 3 < p.count() && left >= twice(i); ++i)
+        left -= twice(i);
+    return inTriangle(p[0], p[i + 1], p[i + 2], std::min(1.0, left / twice(i)), t);
+}
+
 } // namespace shadowlab::radiosity

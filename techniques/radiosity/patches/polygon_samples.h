@@ -22,4 +22,7 @@ struct Place {
 /// The image of the point (s, t) of the unit square in a polygon that is not empty.
 Place placeIn(const Polygon& polygon, double s, double t);
 
+/// The same such that all areas of the polygon have as many points, so that no weights are needed.
+dvec3 evenPlaceIn(const Polygon& polygon, double s, double t);
+
 } // namespace shadowlab::radiosity

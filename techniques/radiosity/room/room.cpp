@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <glm/gtc/constants.hpp>
+
 #include "techniques/foundation/scene/query/coincident/coincident_faces.h"
 #include "techniques/foundation/trace/bvh/bvh_build.h"
 #include "techniques/foundation/trace/parallel.h"
@@ -217,6 +219,20 @@ dvec3 Room::reflectanceOf(const Patch& patch) const {
     if (!colors_->has(object)) return ofMaterial;
     const bool isCoarse = !simple_->cornersOfObject[object].empty();
     return colors_->mean(patch, world_.originWorld, object, isCoarse ? simple_->cellMetres : 1e-3 * sizeOf(patch.polygon), ofMaterial);
+}
+
+dvec3 Room::emissionOf(const Patch& patch) const {
+    // A Lambertian surface of radiance L sends pi L into its hemisphere.
+    return faceOf(patch).shines ? glm::pi<double>() * dvec3(materialOf(patch).emission) : dvec3(0);
+}
+
+double Room::areaFactor(const Patch& patch) const {
+    const Face& face = faceOf(patch);
+    const scene::Object& object = objectOf(patch);
+    const std::vector<double>& factors = simple_->areaFactors[face.object];
+    const bool isFront = sides_.faces.ofTriangle[face.triangles[0]] == patch.face;
+    if (factors.empty() || !object.mesh->outward || isFront == scene::isMirrored(object)) return 1;
+    return factors[scene::partOf(*object.mesh, world_.triangleInMesh(face.triangles[0]))];
 }
 
 void Room::sampleSurroundings(std::size_t patch) {

@@ -82,6 +82,11 @@ public:
     }
     /// Diffuse reflectance of each of allPatches(), the mean over the patch. Found when first asked for, and after refine().
     [[nodiscard]] const std::vector<dvec3>& reflectances() const;
+    /// What the surface of the patch emits, W/m^2.
+    [[nodiscard]] dvec3 emissionOf(const Patch& patch) const;
+    /// The area for which the patch of a simplified body stands, seen from outside, over its own: with so much more emission the body sends as much light as the
+    /// original. 1 for all others: what encloses a place brings as much light to it whatever its area is.
+    [[nodiscard]] double areaFactor(const Patch& patch) const;
     [[nodiscard]] const scene::Object& objectOf(const Patch& patch) const {
         return simple_->scene->objects[faceOf(patch).object];
     }

@@ -98,6 +98,28 @@ scene::Mesh meshOf(const scene::Object& object, const ClusteredMesh& coarse) {
     return scene::withNormals(mesh, scene::NormalMode::smooth);
 }
 
+/// Of each part, m^2.
+std::vector<double> partAreas(const scene::Mesh& mesh, const dmat4& worldFromObject) {
+    const dmat3 metresFromMesh(worldFromObject);
+    std::vector<double> areas;
+    for (const scene::MeshPart& part : mesh.parts) {
+        double& area = areas.emplace_back(0);
+        for (std::uint32_t t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t) {
+            const uvec3 corners = mesh.triangles[t];
+            const auto corner = [&](int i) { return metresFromMesh * dvec3(mesh.positionsMesh[corners[i]]); };
+            area += 0.5 * glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+        }
+    }
+    return areas;
+}
+
+std::vector<double> areaFactors(const scene::Mesh& original, const scene::Mesh& coarse, const dmat4& worldFromObject) {
+    std::vector<double> factors = partAreas(original, worldFromObject);
+    const std::vector<double> left = partAreas(coarse, worldFromObject);
+    std::ranges::transform(factors, left, factors.begin(), [](double area, double ofLeft) { return ofLeft > 0 ? area / ofLeft : 1; });
+    return factors;
+}
+
 std::shared_ptr<const scene::Mesh> withoutTriangles(const scene::Mesh& mesh) {
     auto empty = std::make_shared<scene::Mesh>();
     empty->originObject = mesh.originObject;
@@ -135,6 +157,7 @@ SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostSides
     }
     answer.trianglesAfter = answer.trianglesBefore;
     answer.cornersOfObject.resize(scene.objects.size());
+    answer.areaFactors.resize(scene.objects.size());
     answer.scene = changed;
     if (sidesBefore <= mostSides) return answer;
 
@@ -179,8 +202,11 @@ SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostSides
     for (Heavy& one : heavy)
         if (one.coarse && one.object.mesh->outward) orientOutward(*one.coarse, scene::isMirrored(one.object));
     for (const Heavy& one : heavy)
-        if (one.coarse)
-            changed->objects[one.number].mesh = std::make_shared<const scene::Mesh>(meshOf(one.object, *one.coarse));
+        if (one.coarse) {
+            const scene::Mesh coarse = meshOf(one.object, *one.coarse);
+            answer.areaFactors[one.number] = areaFactors(*one.object.mesh, coarse, one.object.worldFromObject);
+            changed->objects[one.number].mesh = std::make_shared<const scene::Mesh>(coarse);
+        }
     changed->revisions.geometry = scene::newRevision();
     answer.trianglesAfter = 0;
     std::vector<std::uint32_t> firstOfObject;

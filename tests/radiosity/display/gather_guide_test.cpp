@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "techniques/foundation/math/random_pair.h"
 #include "techniques/radiosity/display/gather_rays.h"
+#include "techniques/radiosity/patches/polygon_samples.h"
 #include "tests/radiosity/quasirandom.h"
 #include "tests/radiosity/scene_room.h"
 
@@ -50,7 +54,7 @@ public:
         view.size = {64, 36};
         while (!light_.advance(snapshot_, view, Deadline::max())) {
         }
-        guide_ = GatherGuide(cache_.room(), cache_.exchange().matrix, balance_.radiosity(), sources_.emission, dvec3(0));
+        guide_ = GatherGuide(cache_, sources_, balance_.radiosity(), dvec3(0));
     }
     [[nodiscard]] const Room& room() const { return cache_.room(); }
     [[nodiscard]] const GatherGuide& guide() const { return guide_; }
@@ -120,60 +124,97 @@ TEST(GatherGuide, UnderTheOpenSkyOnlyWhatGlowsIsChosen) {
     EXPECT_GT(unevenArea(SolvedRoom(yardWithPlate(5))), 1);
 }
 
-// One over the density with which a point was chosen, summed over the choices that fell on a patch, is the patch's area.
-TEST(GatherGuide, PointsAreChosenAsOftenAsTheirDensitySays) {
+/// The solid angle of a patch, sr, that nothing hides: by 32 x 32 points of it.
+double solidAngle(const Patch& patch, const dvec3& fromCentred) {
+    constexpr int kSide = 32;
+    double sum = 0;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const dvec3 way = evenPlaceIn(patch.polygon, (i % kSide + 0.5) / kSide, (i / kSide + 0.5) / kSide) - fromCentred;
+        const double distance = glm::length(way);
+        sum += std::max(0.0, -glm::dot(way, patch.normal)) / (distance * distance * distance);
+    }
+    return patch.area * sum / (kSide * kSide);
+}
+
+// One over the density with which a direction was chosen, summed over the choices of points of a patch, is the solid angle in which it is seen; and for a ray
+// in any direction that meets the point the density is the same.
+TEST(GatherGuide, DirectionsAreChosenAsOftenAsTheirDensitySays) {
     const GatherGuide& guide = solvedRoom().guide();
     const Room& room = solvedRoom().room();
+    const dvec3 origin = room.world().originWorld;
     constexpr int kChoices = 200'000;
     int rows = 0, patches = 0;
-    for (std::uint32_t at = 0; at < room.patches().size(); at += 41) {
+    for (std::uint32_t at = 0; at < room.patches().size(); at += 67) {
+        const Patch& here = room.patches()[at];
         if (!guide.isUneven(at)) continue;
         ++rows;
-        std::vector<double> areas(room.patches().size(), 0.0);
+        std::vector<double> angles(room.patches().size(), 0.0);
         std::vector<int> counts(room.patches().size(), 0);
         for (int i = 0; i < kChoices; ++i) {
             const auto x = testing::quasirandom4(i);
-            const GatherGuide::Choice choice = guide.choose(at, x[0], {x[1], x[2]});
-            ASSERT_GT(choice.density, 0);
-            areas[choice.patch] += 1 / choice.density / kChoices;
-            ++counts[choice.patch];
+            const auto way = guide.choose(at, origin + here.centre, x[0], {x[1], x[2]});
+            if (!way) continue;
+            ASSERT_GT(way->density, 0);
+            const dvec3 point = here.centre + way->distance * way->direction;
+            const auto there = std::ranges::find_if(room.patches(), [&](const Patch& patch) {
+                return std::abs(patch.plane().height(point)) < 1e-6 && glm::dot(way->direction, patch.normal) < 0 && holds(patch.polygon, point, patch.normal);
+            });
+            if (there == room.patches().end()) continue; // on an edge
+            const auto patch = static_cast<std::uint32_t>(there - room.patches().begin());
+            angles[patch] += 1 / way->density / kChoices;
+            ++counts[patch];
+            if (i % 100 == 0) EXPECT_NEAR(guide.density(at, origin + here.centre, way->direction, {patch, way->distance, -glm::dot(way->direction, there->normal)}), way->density, 1e-6 * way->density);
         }
-        double all = 0;
         for (std::uint32_t j = 0; j < room.patches().size(); ++j) {
-            const double area = room.patches()[j].area;
-            all += area * guide.density(at, j);
             if (counts[j] < 1000) continue;
-            EXPECT_NEAR(areas[j], area, 0.02 * area) << "a thousand choices, evenly spread";
-            EXPECT_NEAR(guide.density(at, j) * area, static_cast<double>(counts[j]) / kChoices, 0.02 * counts[j] / kChoices);
+            const double angle = solidAngle(room.patches()[j], here.centre);
+            EXPECT_NEAR(angles[j], angle, 0.03 * angle) << "a thousand choices, evenly spread, a fifth of them outside the spot";
             ++patches;
         }
-        EXPECT_NEAR(all, 1, 1e-6) << "floats";
     }
-    EXPECT_GT(rows, 4);
-    EXPECT_GT(patches, 50);
+    EXPECT_GT(rows, 2);
+    EXPECT_GT(patches, 30);
+}
+
+/// How much the mean over all pixels, and how much a pixel, is off, in units of that mean.
+struct Off {
+    double mean = 0, noise = 0;
+};
+Off off(const std::vector<double>& found, const std::vector<double>& exact) {
+    double mean = 0, error = 0, square = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        mean += exact[i];
+        error += found[i] - exact[i];
+        square += (found[i] - exact[i]) * (found[i] - exact[i]);
+    }
+    return {error / mean, std::sqrt(square * static_cast<double>(exact.size())) / mean};
 }
 
 // Both kinds of rays together find the same light, and with far less noise than those in all directions alone.
-TEST(GatherGuide, ChosenPointsTakeNoiseAway) {
-    const std::vector<double> exact = solvedRoom().gathered(GatherGuide{}, 8192), alone = solvedRoom().gathered(GatherGuide{}, 128),
-                              guided = solvedRoom().gathered(solvedRoom().guide(), 64);
+void expectLessNoise(const SolvedRoom& room, double most) {
+    const std::vector<double> exact = room.gathered(room.guide(), 1024), byChance = room.gathered(GatherGuide{}, 2048);
     ASSERT_GT(exact.size(), 2000u);
-    const auto compare = [&](const std::vector<double>& found) {
-        double mean = 0, error = 0, square = 0;
-        for (std::size_t i = 0; i < exact.size(); ++i) {
-            mean += exact[i];
-            error += found[i] - exact[i];
-            square += (found[i] - exact[i]) * (found[i] - exact[i]);
-        }
-        return std::pair(error / mean, std::sqrt(square * static_cast<double>(exact.size())) / mean);
-    };
-    const auto [meanAlone, noiseAlone] = compare(alone);
-    const auto [meanGuided, noiseGuided] = compare(guided);
-    std::cout << "128 rays in all directions: mean " << 100 * meanAlone << " %, noise " << 100 * noiseAlone << " %; 64 and 64 to chosen points: mean "
-              << 100 * meanGuided << " %, noise " << 100 * noiseGuided << " %\n";
-    EXPECT_NEAR(meanGuided, 0, 0.01) << "2304 pixels with a noise of a tenth each, and those of the reference";
-    EXPECT_LT(noiseGuided, 0.5 * noiseAlone);
+    EXPECT_NEAR(off(exact, byChance).mean, 0, 0.01) << "2304 pixels, with a noise of a quarter each at most";
+    const Off alone = off(room.gathered(GatherGuide{}, 128), exact), guided = off(room.gathered(room.guide(), 64), exact);
+    std::cout << "128 rays in all directions: mean " << 100 * alone.mean << " %, noise " << 100 * alone.noise << " %; 64 and 64 to chosen points: mean "
+              << 100 * guided.mean << " %, noise " << 100 * guided.noise << " %\n";
+    EXPECT_NEAR(guided.mean, 0, 0.01) << "2304 pixels with a noise of a tenth each";
+    EXPECT_LT(guided.noise, most * alone.noise);
 }
+
+TEST(GatherGuide, ChosenPointsOfASpotTakeNoiseAway) { expectLessNoise(solvedRoom(), 0.3); }
+
+/// The same room, lit by nothing but a glowing ball of thousands of triangles.
+scene::Scene roomWithGlowingBall(const dvec3& radii) {
+    scene::Scene scene = roomWithSpot();
+    scene.lights.clear();
+    scene.materials.emplace_back().emission = vec3(5);
+    testing::addObject(scene, scene::makeSphere(1, 48), glm::scale(testing::translation({1.2, 2.2, 1.5}), radii)).partMaterials = {1};
+    return scene;
+}
+
+TEST(GatherGuide, DirectionsToASimplifiedBallTakeNoiseAway) { expectLessNoise(SolvedRoom(roomWithGlowingBall({0.1, 0.1, 0.1})), 0.2); }
+TEST(GatherGuide, DirectionsToALongOneTakeNoiseAway) { expectLessNoise(SolvedRoom(roomWithGlowingBall({0.03, 0.03, 0.6})), 0.4); }
 
 } // namespace
 } // namespace shadowlab::radiosity

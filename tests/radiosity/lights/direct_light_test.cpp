@@ -97,6 +97,14 @@ TEST(DirectLight, AScreenHidesHalf) {
                 // Half of it; evenly spread lines miss by some of their number.
                 EXPECT_NEAR(direct.visible[i], 0.5, 3.0 / 64);
                 EXPECT_NEAR(direct.irradiance[i].x, 0.5 * whole, 3.0 / 64 * whole);
+                const PatchCells cells(patch.polygon);
+                double sum = 0;
+                for (std::size_t c = 0; c < PatchCells::kCount; ++c) {
+                    const float share = direct.cells[i][c];
+                    sum += static_cast<double>(share);
+                    EXPECT_EQ(share > 0, cells.pointIn(c, {0.5, 0.5}).x + room.originWorld.x > 0);
+                }
+                EXPECT_NEAR(sum, 1, 1e-6) << "floats";
                 ++partial;
                 // One line from the middle sees all or nothing.
                 const Blockers blockers = sourceOf(light, room).blockers(patch.polygon, *room.occlusion);

@@ -159,5 +159,61 @@ TEST(Emitters, ARoomOfOneMeshIsLitWhicheverWayItsFacesWind) {
     EXPECT_NEAR(out / in, 1, 0.01); // patches are the same, and lines between them are not
 }
 
+/// Of all its triangles, m^2.
+double areaOf(const scene::Mesh& mesh) {
+    double area = 0;
+    for (const uvec3& t : mesh.triangles) {
+        const dvec3 a(mesh.positionsMesh[t.x]), b(mesh.positionsMesh[t.y]), c(mesh.positionsMesh[t.z]);
+        area += 0.5 * glm::length(glm::cross(b - a, c - a));
+    }
+    return area;
+}
+
+scene::Material glowing(scene::EmittingSides sides) {
+    scene::Material material;
+    material.diffuse = vec3(0.5f);
+    material.emission = vec3(6);
+    material.emits = sides;
+    return material;
+}
+
+// A ball that was simplified has lost some of its surface, but none of its light.
+TEST(Emitters, ASimplifiedBallSendsWhatItsMeshSends) {
+    scene::Scene scene = emptyRoom({2, 2, 2});
+    scene.materials.push_back(glowing(scene::EmittingSides::front));
+    const auto mesh = scene::sharedMesh(scene::makeSphere(0.15, 48));
+    addObject(scene, *mesh, translation({1, 1.2, 1})).partMaterials = {1};
+    scene.objects.back().mesh = mesh; // known to be outward
+    ASSERT_TRUE(mesh->outward);
+    EXPECT_NEAR(balanceOf(scene).emittedWatts / (6 * M_PI * areaOf(*mesh)), 1, 1e-5) << "floats";
+}
+
+// What encloses a place is as bright there as it is, however it was simplified: B = E / (1 - rho).
+TEST(Emitters, ASimplifiedBallThatIsTheRoomIsAsBrightAsItIs) {
+    scene::Scene scene;
+    scene.materials.push_back(glowing(scene::EmittingSides::both));
+    scene.objects.clear();
+    const auto mesh = scene::sharedMesh(scene::makeSphere(2, 48));
+    addObject(scene, *mesh, translation({0, 2, 0})).partMaterials = {0};
+    scene.objects.back().mesh = mesh;
+    RadiosityParams params;
+    params.patches = kPatches;
+    RoomCache cache;
+    const scene::Snapshot snapshot = testing::snapshot(std::move(scene));
+    while (!cache.advance(snapshot, params, Deadline::max())) {
+    }
+    ASSERT_FALSE(cache.room().simple().cornersOfObject[0].empty());
+    const Sources sources = sourcesOf(cache.room(), cache.lights(), dvec3(0));
+    int shining = 0;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const Patch& patch = cache.room().allPatches()[i];
+        const dvec3 fromMiddle = patch.centre + cache.room().world().originWorld - dvec3(0, 2, 0);
+        if (glm::dot(patch.normal, fromMiddle) > 0) continue; // seen from outside
+        EXPECT_NEAR(sources.emission[i].x, 6 * M_PI, 1e-5);
+        ++shining;
+    }
+    EXPECT_GT(shining, 50);
+}
+
 } // namespace
 } // namespace shadowlab::radiosity
