@@ -7,6 +7,7 @@
 #include "material.glsl"
 #include "light.glsl"
 #include "facing.glsl"
+#include "shading_normal.glsl"
 in vec3 positionView;
 in vec3 normalView;
 uniform int receivesShadow;
@@ -36,8 +37,7 @@ void main() {
     result = vec4(visibility, 1.0, 0.0, 1.0);
 #else
     vec3 toEyeView = normalize(-positionView);
-    vec3 shadingNormalView = normalize(normalView);
-    if (dot(shadingNormalView, toEyeView) < 0.0) shadingNormalView = -shadingNormalView;
+    vec3 shadingNormalView = shadingNormal(normalView, positionView);
     vec3 lightView = visibility * irradiance(shadingNormalView, toLightView, distanceSquared);
     // In a degenerate direction the reflectance is NaN, and 0 * NaN is NaN: so it is not multiplied where nothing is
     // visible.

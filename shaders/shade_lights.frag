@@ -4,6 +4,7 @@
 #include "material.glsl"
 #include "light.glsl"
 #include "facing.glsl"
+#include "shading_normal.glsl"
 #include "lights_off.glsl"
 #include "srgb.glsl"
 in vec3 positionView;
@@ -30,8 +31,7 @@ void main() {
     uvec4 shown = shownLights();
     uint faced = lightsAtEyeSide();
     vec3 toEyeView = normalize(-positionView);
-    vec3 shadingNormalView = normalize(normalView);
-    if (dot(shadingNormalView, toEyeView) < 0.0) shadingNormalView = -shadingNormalView;
+    vec3 shadingNormalView = shadingNormal(normalView, positionView);
     vec3 radiance = lightsOffRadiance();
     for (int light = 0; light < LIGHTS; ++light) {
         chooseLight(light);

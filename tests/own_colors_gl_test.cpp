@@ -46,7 +46,9 @@ TEST_F(OwnColors, AreThoseOfTheirDefinitionOnTheCard) {
                 normal += hit->barycentric[corner] * dvec3(object.mesh->normalsMesh[corners[corner]]);
             normal = glm::normalize(normal);
             const dvec3 toEye = glm::normalize(scene.camera.positionWorld - hit->positionWorld);
-            if (glm::dot(normal, toEye) < 0) normal = -normal;
+            const auto position = [&](int corner) { return dvec3(object.mesh->positionsMesh[corners[corner]]); };
+            const dvec3 front = glm::cross(position(1) - position(0), position(2) - position(0)); // no object is turned
+            if (glm::dot(front, toEye) < 0) normal = -normal;
             const dvec3 diffuse(scene::diffuseAt(scene, object, hit->triangle, hit->barycentric));
             dvec3 arriving = glm::pi<double>() * dvec3(scene.ambient); // reflected as diffuse / pi
             if (judge.visibility(*hit, scene.camera, 0) != trace::Visibility::turnedAway)

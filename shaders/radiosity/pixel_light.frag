@@ -6,6 +6,7 @@
 #include "material.glsl"
 #include "light.glsl"
 #include "facing.glsl"
+#include "shading_normal.glsl"
 in vec3 positionView;
 in vec3 normalView;
 uniform sampler2D shares;   // of each pixel: red the share that is seen; green the irradiance by a light with an area
@@ -24,8 +25,7 @@ void main() {
 #ifdef VISIBILITY_ONLY
     result = vec4(share.r, 1.0, 0.0, 1.0);
 #else
-    vec3 shadingNormalView = normalize(normalView);
-    if (dot(shadingNormalView, positionView) > 0.0) shadingNormalView = -shadingNormalView;
+    vec3 shadingNormalView = shadingNormal(normalView, positionView);
     vec3 direct = kPi * share.g * areaRadiance;
     if (share.r > 0.0 && areaRadiance == vec3(0.0))
         direct = share.r * irradiance(shadingNormalView, toLightView, distanceSquared);

@@ -46,8 +46,11 @@ private:
         const trace::SurfacePoint point = hits[begin];
         const trace::Triangle& triangle = triangles_[point.primitive];
         const vec3 c(triangle.c - eyeCentred_), ca(triangle.a - triangle.c), cb(triangle.b - triangle.c);
-        const auto [normalA, normalB, normalC] = surfaces_.normals().ofCornersWorld(point);
-        const vec3 normalCA = normalA - normalC, normalCB = normalB - normalC;
+        const trace::ShadingNormals& normals = surfaces_.normals();
+        const bool isKnown = normals.areOnFront(point);
+        const float side = isKnown && !normals.isFrontSeen(point) ? -1.0f : 1.0f;
+        const auto [normalA, normalB, normalAtC] = normals.ofCornersWorld(point);
+        const vec3 normalC = side * normalAtC, normalCA = side * normalA - normalC, normalCB = side * normalB - normalC;
         const scene::Material& material = surfaces_.materialOf(point);
         const vec3 lightsOff = surfaces_.lightsOff(point);
         const bool ownColors = surfaces_.hasOwnColors(point);
@@ -56,6 +59,7 @@ private:
             const vec2 weights = hits[i].weights;
             put(pixels.positionEye, i, c + weights.x * ca + weights.y * cb);
             put(pixels.normalWorld, i, normalC + weights.x * normalCA + weights.y * normalCB);
+            pixels.mayTurn[i] = isKnown ? 0.0f : 1.0f;
             put(pixels.diffuse, i, ownColors ? surfaces_.diffuseOf(hits[i]) : material.diffuse);
             put(pixels.specular, i, material.specular);
             pixels.shininess[i] = material.shininess;

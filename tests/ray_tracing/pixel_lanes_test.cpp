@@ -23,12 +23,13 @@ struct Point {
     dvec3 positionWorld, normalWorld; ///< the normal unit, on any side
     scene::Material material;
     bool isLit;
+    bool mayTurn = true; ///< false: the normal is on the side that is seen, whatever its own sign toward the eye
 };
 
 Point randomPoint(std::mt19937& random) {
     std::uniform_real_distribution<double> share(0, 1), axis(-1, 1);
     const auto vector = [&] { return dvec3(axis(random), axis(random), axis(random)); };
-    Point point{3.0 * vector(), glm::normalize(vector()), {}, share(random) < 0.8};
+    Point point{3.0 * vector(), glm::normalize(vector()), {}, share(random) < 0.8, share(random) < 0.7};
     point.material.diffuse = vec3(share(random), share(random), share(random));
     if (share(random) < 0.5) {
         point.material.specular = vec3(static_cast<float>(share(random)));
@@ -60,7 +61,7 @@ std::vector<scene::Light> lightsOfAllKinds() {
 /// Radiance of one light, in double, with the gate that belongs to visibility.
 dvec3 expected(const Point& point, const scene::Light& light, const dvec3& eyeWorld) {
     const dvec3 toEyeWorld = glm::normalize(eyeWorld - point.positionWorld);
-    const dvec3 normalWorld = glm::dot(point.normalWorld, toEyeWorld) < 0 ? -point.normalWorld : point.normalWorld;
+    const dvec3 normalWorld = point.mayTurn && glm::dot(point.normalWorld, toEyeWorld) < 0 ? -point.normalWorld : point.normalWorld;
     if (!point.isLit) return dvec3(0.0);
     return scene::irradiance(light, point.positionWorld, normalWorld) *
            scene::reflectance(point.material, normalWorld, scene::towardLightWorld(light, point.positionWorld), toEyeWorld);
@@ -81,6 +82,7 @@ void fill(PixelLanes& pixels, const std::vector<Point>& points, const dvec3& eye
         }
         pixels.shininess[i] = point.material.shininess;
         pixels.isLit[i] = point.isLit ? 1.0f : 0.0f;
+        pixels.mayTurn[i] = point.mayTurn ? 1.0f : 0.0f;
     }
 }
 

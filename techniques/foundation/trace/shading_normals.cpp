@@ -10,6 +10,7 @@ ShadingNormals::ShadingNormals(const SceneTracer& tracer) : tracer_(&tracer) {
         const dmat3 worldFromObject(object.worldFromObject);
         normalWorldFromMesh_.push_back(glm::transpose(glm::inverse(worldFromObject)));
         stretchesNormals_.push_back(scene::stretchesNormals(worldFromObject));
+        isMirrored_.push_back(scene::isMirrored(object));
     }
 }
 
@@ -21,13 +22,18 @@ dvec3 ShadingNormals::towardWorld(const dvec3& toViewerWorld, const SurfacePoint
         const std::array<dvec3, 3> ofCorners = stretchedWorld(point);
         const dvec3 normalWorld =
             glm::normalize(weights.x * ofCorners[0] + weights.y * ofCorners[1] + weights.z * ofCorners[2]);
-        return glm::dot(normalWorld, toViewerWorld) < 0 ? -normalWorld : normalWorld;
+        return turned(normalWorld, toViewerWorld, point);
     }
     const dvec3 normalMesh = weights.x * dvec3(mesh.normalsMesh[corners.x]) +
                              weights.y * dvec3(mesh.normalsMesh[corners.y]) +
                              weights.z * dvec3(mesh.normalsMesh[corners.z]);
     const dvec3 normalWorld = glm::normalize(normalWorldFromMesh_[objectOf(point)] * normalMesh);
-    return glm::dot(normalWorld, toViewerWorld) < 0 ? -normalWorld : normalWorld;
+    return turned(normalWorld, toViewerWorld, point);
+}
+
+dvec3 ShadingNormals::turned(const dvec3& normalWorld, const dvec3& toViewerWorld, const SurfacePoint& point) const {
+    const bool isBehind = areOnFront(point) ? !isFrontSeen(point) : glm::dot(normalWorld, toViewerWorld) < 0;
+    return isBehind ? -normalWorld : normalWorld;
 }
 
 std::array<dvec3, 3> ShadingNormals::stretchedWorld(const SurfacePoint& point) const {

@@ -13,12 +13,17 @@ public:
     /// The tracer must outlive this object, and keep its scene.
     explicit ShadingNormals(const SceneTracer& tracer);
 
-    /// The unit normal there, turned to the viewer's side.
+    /// The unit normal there, on the side that is seen (shaders/shading_normal.glsl). Near the rim of a round body it may lean away from the viewer.
     [[nodiscard]] dvec3 towardWorld(const dvec3& toViewerWorld, const SurfacePoint& point) const;
+    /// Does the side that is seen say which way the normal is turned? Else its own sign toward the viewer does.
+    [[nodiscard]] bool areOnFront(const SurfacePoint& point) const { return tracer_->objectOf(point).mesh->normalsOnFront; }
+    /// Is that side the front of the mesh?
+    [[nodiscard]] bool isFrontSeen(const SurfacePoint& point) const { return point.eyeOnFront != isMirrored_[objectOf(point)]; }
     /// Of a triangle's corners a, b and c: the normals that are interpolated, as long as they come out.
     [[nodiscard]] std::array<vec3, 3> ofCornersWorld(const SurfacePoint& point) const;
 
 private:
+    [[nodiscard]] dvec3 turned(const dvec3& normalWorld, const dvec3& toViewerWorld, const SurfacePoint& point) const;
     /// Unit normals of a triangle's corners, of an object whose scale stretches them.
     [[nodiscard]] std::array<dvec3, 3> stretchedWorld(const SurfacePoint& point) const;
     [[nodiscard]] std::uint32_t objectOf(const SurfacePoint& point) const { return tracer_->world().objects[point.primitive]; }
@@ -26,6 +31,7 @@ private:
     const SceneTracer* tracer_;
     std::vector<dmat3> normalWorldFromMesh_; ///< per object
     std::vector<bool> stretchesNormals_;     ///< per object (scene/query/normal_transform.h)
+    std::vector<bool> isMirrored_;           ///< per object
 };
 
 } // namespace shadowlab::trace

@@ -20,7 +20,7 @@ void turnToEye(PixelLanes& pixels) {
         const float perDistance = -1.0f / sqrtf(p[0][i] * p[0][i] + p[1][i] * p[1][i] + p[2][i] * p[2][i]);
         const float perLength = 1.0f / sqrtf(n[0][i] * n[0][i] + n[1][i] * n[1][i] + n[2][i] * n[2][i]);
         const float away = n[0][i] * p[0][i] + n[1][i] * p[1][i] + n[2][i] * p[2][i];
-        const float turned = away > 0.0f ? -perLength : perLength;
+        const float turned = (away > 0.0f) & (pixels.mayTurn[i] > 0.0f) ? -perLength : perLength;
         pixels.toEyeWorld[0][i] = p[0][i] * perDistance;
         pixels.toEyeWorld[1][i] = p[1][i] * perDistance;
         pixels.toEyeWorld[2][i] = p[2][i] * perDistance;

@@ -24,7 +24,8 @@ struct PixelLanes {
     std::size_t count = 0; ///< pixels that there are; what is in lanes beyond them is not used
     bool anySpecular = false;
     Lane positionEye[3];
-    Lane normalWorld[3]; ///< of any length and on any side; after turnToEye unit, on the eye's side
+    Lane normalWorld[3]; ///< of any length; after turnToEye unit
+    Lane mayTurn;        ///< 1: of that it is not known on which side it is, and turnToEye turns it to the eye's; 0: it is on that side
     Lane toEyeWorld[3];  ///< after turnToEye
     Lane diffuse[3], specular[3], shininess;
     Lane isLit; ///< by the light that is added: 1 or 0

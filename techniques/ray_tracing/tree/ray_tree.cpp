@@ -40,7 +40,9 @@ Optics opticsWith(const dvec3& normalWorld, const Surfaces& surfaces, const Tree
 /// With the shading normal, so that a ball made of triangles reflects like a ball; but with the triangle's own normal where a ray
 /// would otherwise leave on the wrong side of the triangle.
 Optics opticsAt(const Surfaces& surfaces, const TreeNode& node, Fresnel fresnel) {
-    const Optics smooth = opticsWith(node.normalWorld, surfaces, node, fresnel);
+    // Turned to where the ray comes from, also where it leans away at a rim.
+    const dvec3 smoothWorld = glm::dot(node.u, node.normalWorld) > 0 ? -node.normalWorld : node.normalWorld;
+    const Optics smooth = opticsWith(smoothWorld, surfaces, node, fresnel);
     const dvec3 flatWorld = surfaces.geometricNormalWorld(node.point);
     const bool fits = glm::dot(smooth.reflectedWorld, flatWorld) > 0 &&
                       !(smooth.refractedWorld && glm::dot(*smooth.refractedWorld, flatWorld) >= 0);

@@ -19,6 +19,7 @@ void setObject(const Program& program, const EyeMatrices& eye, const scene::Obje
     program.set("normalViewFromMesh", mat3(glm::transpose(glm::inverse(dmat3(viewFromMesh)))));
     program.set("stretchesNormals", scene::stretchesNormals(dmat3(object.worldFromObject)) ? 1 : 0);
     program.set("mirrored", scene::isMirrored(object) ? 1 : 0);
+    program.set("normalsOnFront", object.mesh->normalsOnFront ? 1 : 0);
     program.set("receivesShadow", object.receivesShadow ? 1 : 0);
 }
 

@@ -41,6 +41,8 @@ struct Mesh {
     std::uint32_t droppedTriangles = 0; ///< degenerate triangles of the source that were left out
     std::vector<MeshOutlier> outliers;  ///< of the file, the first few
     std::uint64_t outlierCount = 0;     ///< all of them
+    /// No triangle has all its normals behind its front: the side that is seen says which way a normal is turned. Else they are turned to the eye.
+    bool normalsOnFront = false;
     bool outward = false; ///< from outside, every back face is hidden by a front face (outward_parts.h); else not known
 };
 

@@ -65,6 +65,16 @@ double volume(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
     return sum;
 }
 
+/// A file may wind some of its triangles the other way than their normals say; those have all three behind them. A single one may be behind a sliver.
+bool haveNormalsOnFront(const Mesh& mesh) {
+    return std::ranges::all_of(mesh.triangles, [&](const uvec3& t) {
+        const dvec3 a(mesh.positionsMesh[t.x]), b(mesh.positionsMesh[t.y]), c(mesh.positionsMesh[t.z]);
+        const dvec3 front = glm::cross(b - a, c - a);
+        const auto isOnFront = [&](std::uint32_t vertex) { return glm::dot(front, dvec3(mesh.normalsMesh[vertex])) > 0; };
+        return isOnFront(t.x) || isOnFront(t.y) || isOnFront(t.z);
+    });
+}
+
 } // namespace
 
 OutwardParts outwardParts(const Mesh& mesh, const MeshTopology& topology) {
@@ -123,6 +133,7 @@ bool isOutward(const Mesh& mesh) {
 std::shared_ptr<const Mesh> sharedMesh(Mesh mesh) {
     mesh.outward = false; // the mesh may be a changed copy of another one
     mesh.outward = isOutward(mesh);
+    mesh.normalsOnFront = haveNormalsOnFront(mesh);
     return std::make_shared<const Mesh>(std::move(mesh));
 }
 
