@@ -19,6 +19,7 @@ struct Face {
     Plane plane;     ///< its plane
     std::array<std::uint32_t, 2> triangles; ///< numbers in the scene; a single triangle is listed twice
     std::uint32_t object = 0, material = 0;
+    bool isFront = true; ///< false: of a side (sides.h) that is the back as the mesh has it, and no triangle's front
     bool shines = true; ///< false: of a side (sides.h) that stays dark though its material shines
 };
 

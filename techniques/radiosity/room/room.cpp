@@ -226,13 +226,20 @@ dvec3 Room::emissionOf(const Patch& patch) const {
     return faceOf(patch).shines ? glm::pi<double>() * dvec3(materialOf(patch).emission) : dvec3(0);
 }
 
-double Room::areaFactor(const Patch& patch) const {
+bool Room::isOutsideOfSimplified(const Patch& patch) const {
     const Face& face = faceOf(patch);
-    const scene::Object& object = objectOf(patch);
-    const std::vector<double>& factors = simple_->areaFactors[face.object];
-    const bool isFront = sides_.faces.ofTriangle[face.triangles[0]] == patch.face;
-    if (factors.empty() || !object.mesh->outward || isFront == scene::isMirrored(object)) return 1;
-    return factors[scene::partOf(*object.mesh, world_.triangleInMesh(face.triangles[0]))];
+    return face.isFront && objectOf(patch).mesh->outward && !simple_->areasOfObject[face.object].empty();
+}
+
+std::size_t Room::partOf(const Patch& patch) const { return scene::partOf(*objectOf(patch).mesh, world_.triangleInMesh(faceOf(patch).triangles[0])); }
+
+double Room::areaFactor(const Patch& patch) const {
+    if (!isOutsideOfSimplified(patch)) return 1;
+    const std::uint32_t object = faceOf(patch).object;
+    const std::size_t part = partOf(patch);
+    const auto folded = foldedAreas_.find({object, part});
+    const SimplifiedScene::Areas& areas = simple_->areasOfObject[object][part];
+    return areas.before / std::max(patch.area, areas.after - (folded != foldedAreas_.end() ? folded->second : 0));
 }
 
 void Room::sampleSurroundings(std::size_t patch) {
@@ -293,15 +300,21 @@ std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements)
 void Room::leaveOutCovered() {
     std::size_t kept = 0;
     const std::vector<std::vector<std::uint32_t>> over = sidesOver(sides_, *simple_->scene, world_);
+    const auto fold = [&](const Patch& patch) {
+        if (isOutsideOfSimplified(patch)) foldedAreas_[{faceOf(patch).object, partOf(patch)}] += patch.area;
+    };
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         const auto covers = [&](std::uint32_t side) {
             return holds(sides_.faces.all[side].polygon, patches_[i].centre, patches_[i].normal);
         };
+        const auto coversItself = [&](std::uint32_t side) { return covers(side) && sides_.faces.all[side].object == faceOf(patches_[i]).object; };
         if (inBodies_[i] > kCovered || (!over.empty() && std::ranges::any_of(over[patches_[i].face], covers))) {
+            if (inBodies_[i] <= kCovered && std::ranges::any_of(over[patches_[i].face], coversItself)) fold(patches_[i]);
             ++coveredPatches_;
             continue;
         }
         if (settings_.leavesOutFolds && surroundings_[i] == 0 && folded_[i] > kNothingElse) {
+            fold(patches_[i]);
             ++foldedPatches_;
             continue;
         }

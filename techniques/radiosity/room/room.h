@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>
+#include <map>
 #include <optional>
 #include <span>
 
@@ -85,7 +86,8 @@ public:
     /// What the surface of the patch emits, W/m^2.
     [[nodiscard]] dvec3 emissionOf(const Patch& patch) const;
     /// The area for which the patch of a simplified body stands, seen from outside, over its own: with so much more emission the body sends as much light as the
-    /// original. 1 for all others: what encloses a place brings as much light to it whatever its area is.
+    /// original, also where some of its patches were left out as they lie in its own folds. 1 for all others: what encloses a place brings as much light to it
+    /// whatever its area is.
     [[nodiscard]] double areaFactor(const Patch& patch) const;
     [[nodiscard]] const scene::Object& objectOf(const Patch& patch) const {
         return simple_->scene->objects[faceOf(patch).object];
@@ -109,6 +111,8 @@ private:
     };
     [[nodiscard]] Cut cutInto(std::size_t pieces, const FaceParts& parts) const;
     [[nodiscard]] bool isCovered(const Patch& patch) const;
+    [[nodiscard]] bool isOutsideOfSimplified(const Patch& patch) const;
+    [[nodiscard]] std::size_t partOf(const Patch& patch) const;
     void leaveOutCovered();
 
     const scene::Scene& scene_;
@@ -137,6 +141,7 @@ private:
     std::vector<double> surroundings_, inBodies_, folded_; ///< of each patch, shares of what leaves it
     std::size_t coveredPatches_ = 0, foldedPatches_ = 0, loosePatches_ = 0;
     std::vector<std::uint8_t> levels_;
+    std::map<std::pair<std::uint32_t, std::size_t>, double> foldedAreas_; ///< of an object and its part: what was left out of its outside, m^2
 };
 
 } // namespace shadowlab::radiosity

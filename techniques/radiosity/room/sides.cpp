@@ -113,8 +113,9 @@ Sides sidesOf(const scene::Scene& scene, const trace::WorldTriangles& world, con
             if (open[face.object] && isBack && opposite[number] != kNoFace)
                 continue; // the opposite face's front; set below
             Face side = isBack ? turned(face) : face;
-            side.shines = scene::shinesFrom(scene.materials[face.material],
-                                            isBack == scene::isMirrored(scene.objects[face.object]));
+            // Where two faces have come together, each side stands for the front of one of them.
+            side.isFront = isBack == scene::isMirrored(scene.objects[face.object]) || opposite[number] != kNoFace;
+            side.shines = scene::shinesFrom(scene.materials[face.material], side.isFront);
             if (seesAnything(side, plain))
                 add(side, isBack);
             else

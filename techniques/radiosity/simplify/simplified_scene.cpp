@@ -113,11 +113,12 @@ std::vector<double> partAreas(const scene::Mesh& mesh, const dmat4& worldFromObj
     return areas;
 }
 
-std::vector<double> areaFactors(const scene::Mesh& original, const scene::Mesh& coarse, const dmat4& worldFromObject) {
-    std::vector<double> factors = partAreas(original, worldFromObject);
-    const std::vector<double> left = partAreas(coarse, worldFromObject);
-    std::ranges::transform(factors, left, factors.begin(), [](double area, double ofLeft) { return ofLeft > 0 ? area / ofLeft : 1; });
-    return factors;
+std::vector<SimplifiedScene::Areas> areasOf(const scene::Mesh& original, const scene::Mesh& coarse, const dmat4& worldFromObject) {
+    std::vector<SimplifiedScene::Areas> areas;
+    const std::vector<double> before = partAreas(original, worldFromObject), after = partAreas(coarse, worldFromObject);
+    for (std::size_t part = 0; part < before.size(); ++part)
+        areas.push_back({before[part], after[part]});
+    return areas;
 }
 
 std::shared_ptr<const scene::Mesh> withoutTriangles(const scene::Mesh& mesh) {
@@ -157,7 +158,7 @@ SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostSides
     }
     answer.trianglesAfter = answer.trianglesBefore;
     answer.cornersOfObject.resize(scene.objects.size());
-    answer.areaFactors.resize(scene.objects.size());
+    answer.areasOfObject.resize(scene.objects.size());
     answer.scene = changed;
     if (sidesBefore <= mostSides) return answer;
 
@@ -204,7 +205,7 @@ SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostSides
     for (const Heavy& one : heavy)
         if (one.coarse) {
             const scene::Mesh coarse = meshOf(one.object, *one.coarse);
-            answer.areaFactors[one.number] = areaFactors(*one.object.mesh, coarse, one.object.worldFromObject);
+            answer.areasOfObject[one.number] = areasOf(*one.object.mesh, coarse, one.object.worldFromObject);
             changed->objects[one.number].mesh = std::make_shared<const scene::Mesh>(coarse);
         }
     changed->revisions.geometry = scene::newRevision();

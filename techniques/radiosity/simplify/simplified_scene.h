@@ -18,8 +18,11 @@ struct SimplifiedScene {
     /// For each object and each of its original triangles, the places of its corners on the simplified scene; empty for objects
     /// that are not simplified.
     std::vector<std::vector<std::array<SurfacePlace, 3>>> cornersOfObject;
-    /// For each object and each part of its mesh, its area over that which is left of it; empty for objects that are not simplified. 1: nothing is left.
-    std::vector<std::vector<double>> areaFactors;
+    struct Areas {
+        double before = 0, after = 0; ///< of a part of a mesh, m^2
+    };
+    /// For each object and each part of its mesh; empty for objects that are not simplified.
+    std::vector<std::vector<Areas>> areasOfObject;
     double cellMetres = 0;                                 ///< side of the cells; 0: nothing is simplified
     std::uint64_t trianglesBefore = 0, trianglesAfter = 0; ///< without the surfaces of lights
 };
