@@ -5,6 +5,9 @@
 uniform int normalsOnFront; // 1: normals lie before the triangles' fronts; 0: not all of them do, and each is turned to the eye
 
 vec3 shadingNormal(vec3 normalView, vec3 positionView) {
-    bool isBehind = normalsOnFront == 1 ? (gl_FrontFacing ? 1 : 0) == mirrored : dot(normalView, positionView) > 0.0;
-    return isBehind ? -normalize(normalView) : normalize(normalView);
+    // In numbers, because Mesa's softpipe chooses wrongly between bools.
+    float rasterised = gl_FrontFacing ? 1.0 : -1.0;
+    float front = mirrored == 1 ? -rasterised : rasterised;
+    float side = normalsOnFront == 1 ? front : -dot(normalView, positionView);
+    return side < 0.0 ? -normalize(normalView) : normalize(normalView);
 }

@@ -67,7 +67,7 @@ double volume(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
 
 /// A file may wind some of its triangles the other way than their normals say; those have all three behind them. A single one may be behind a sliver.
 bool haveNormalsOnFront(const Mesh& mesh) {
-    return std::ranges::all_of(mesh.triangles, [&](const uvec3& t) {
+    return !mesh.normalsMesh.empty() && std::ranges::all_of(mesh.triangles, [&](const uvec3& t) {
         const dvec3 a(mesh.positionsMesh[t.x]), b(mesh.positionsMesh[t.y]), c(mesh.positionsMesh[t.z]);
         const dvec3 front = glm::cross(b - a, c - a);
         const auto isOnFront = [&](std::uint32_t vertex) { return glm::dot(front, dvec3(mesh.normalsMesh[vertex])) > 0; };
