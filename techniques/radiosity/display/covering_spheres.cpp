@@ -7,6 +7,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/math/perpendicular.h"
+#include "techniques/radiosity/patches/polygon.h"
 
 namespace shadowlab::radiosity {
 
@@ -34,7 +35,7 @@ CoveringSpheres::CoveringSpheres(const scene::Object& object) {
         Facet facet{};
         for (int i = 0; i < 3; ++i)
             facet.cornersWorld[i] = dvec3(worldFromMesh * dvec4(object.mesh->positionsMesh[corners[i]], 1));
-        facet.area = 0.5 * glm::length(glm::cross(facet.cornersWorld[1] - facet.cornersWorld[0], facet.cornersWorld[2] - facet.cornersWorld[0]));
+        facet.area = glm::length(areaVector({facet.cornersWorld[0], facet.cornersWorld[1], facet.cornersWorld[2]}));
         facets.push_back(facet);
     }
     if (facets.empty()) return;

@@ -7,6 +7,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "techniques/foundation/scene/model/scene.h"

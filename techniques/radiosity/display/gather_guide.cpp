@@ -53,12 +53,18 @@ std::vector<std::uint32_t> brightMeshes(const Room& room, std::span<const double
     return bright;
 }
 
+/// Of ascending sums up to 1, what that place adds.
+double stepOf(std::span<const float> upTo, std::size_t place) {
+    return static_cast<double>(upTo[place]) - (place > 0 ? static_cast<double>(upTo[place - 1]) : 0);
+}
+
 /// Of ascending sums up to 1, the place of the first above `which`, and how far `which` goes beyond the sum before it, as a share of the step.
 std::pair<std::uint32_t, double> chosenOf(std::span<const float> upTo, double which) {
     const auto above = std::ranges::upper_bound(upTo, static_cast<float>(which)); // rounded to 1 it is the end: then the last that has a share
     const auto found = above == upTo.end() ? std::ranges::lower_bound(upTo, upTo.back()) : above;
-    const auto before = found == upTo.begin() ? 0.0 : static_cast<double>(*(found - 1));
-    return {static_cast<std::uint32_t>(found - upTo.begin()), glm::clamp((which - before) / (static_cast<double>(*found) - before), 0.0, 1.0)};
+    const auto place = static_cast<std::uint32_t>(found - upTo.begin());
+    const double step = stepOf(upTo, place);
+    return {place, glm::clamp((which - static_cast<double>(*found)) / step + 1, 0.0, 1.0)};
 }
 
 } // namespace
@@ -127,14 +133,12 @@ const GatherGuide::Spread* GatherGuide::spread(std::uint32_t at, std::uint32_t p
     return spreads_[patch] && !isOpen(at) ? &*spreads_[patch] : nullptr;
 }
 
-double GatherGuide::share(std::uint32_t at, std::uint32_t target) const {
-    return static_cast<double>(upTo_[at][target]) - (target > 0 ? static_cast<double>(upTo_[at][target - 1]) : 0);
-}
+double GatherGuide::share(std::uint32_t at, std::uint32_t target) const { return stepOf(upTo_[at], target); }
 
 double GatherGuide::densityOfPoint(std::uint32_t at, std::uint32_t patch, const dvec3& positionWorld) const {
     const double alike = 1 / room_->patches()[patch].area;
     const Spread* by = spread(at, patch);
-    const double within = by ? (1 - by->share) * alike + by->of(by->cells.at(positionWorld - room_->world().originWorld)) / by->cells.area() : alike;
+    const double within = by ? (1 - by->share) * alike + by->share * stepOf(by->upTo, by->cells.at(positionWorld - room_->world().originWorld)) / by->cells.area() : alike;
     return share(at, patch) * within;
 }
 

@@ -64,7 +64,6 @@ private:
         PatchCells cells;
         PatchCells::Shares upTo;
         double share; ///< so many points are chosen by it, the others alike everywhere
-        [[nodiscard]] double of(std::size_t cell) const { return share * static_cast<double>(upTo[cell] - (cell > 0 ? upTo[cell - 1] : 0)); }
     };
     [[nodiscard]] static std::optional<Spread> spreadOf(const RoomCache& cache, const Sources& sources, std::uint32_t patch, double sent);
     [[nodiscard]] bool isOpen(std::uint32_t at) const;

@@ -8,6 +8,7 @@
 
 #include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/foundation/trace/parallel.h"
+#include "techniques/radiosity/patches/polygon.h"
 #include "techniques/radiosity/simplify/inside_out.h"
 
 namespace shadowlab::radiosity {
@@ -107,7 +108,7 @@ std::vector<double> partAreas(const scene::Mesh& mesh, const dmat4& worldFromObj
         for (std::uint32_t t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t) {
             const uvec3 corners = mesh.triangles[t];
             const auto corner = [&](int i) { return metresFromMesh * dvec3(mesh.positionsMesh[corners[i]]); };
-            area += 0.5 * glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+            area += glm::length(areaVector({corner(0), corner(1), corner(2)}));
         }
     }
     return areas;

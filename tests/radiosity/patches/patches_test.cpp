@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "techniques/radiosity/patches/polygon_samples.h"
 #include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {
@@ -78,6 +79,30 @@ TEST(Patches, KeepToABudget) {
     }
     EXPECT_EQ(sizeForBudget(Faces(), 10), 0);
     EXPECT_EQ(cutIntoPatches(faces, sizeForBudget(faces, 1)).size(), 6u) << "fewer than faces are not to be had";
+}
+
+// Of a trapezium twice as wide below as above, and of a pentagon: as many points on every part as it is large.
+TEST(Patches, PlacesAreEvenWithoutWeights) {
+    const Polygon trapezium{{0, 0, 0}, {2, 0, 0}, {1.5, 1, 0}, {0.5, 1, 0}}, pentagon{{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {1, 3, 0}, {0, 2, 0}};
+    constexpr int kSide = 200; // a step is a 200th, in a polygon of a few
+    for (const Polygon& polygon : {trapezium, pentagon}) {
+        dvec3 even(0), bySquare(0);
+        int within = 0, left = 0;
+        for (int i = 0; i < kSide * kSide; ++i) {
+            const double s = (i % kSide + 0.5) / kSide, t = (i / kSide + 0.5) / kSide;
+            const dvec3 place = evenPlaceIn(polygon, s, t);
+            even += place / double{kSide * kSide};
+            bySquare += placeIn(polygon, s, t).point / double{kSide * kSide};
+            within += holds(polygon, place, {0, 0, 1}) ? 1 : 0;
+            left += place.x < 0.5 ? 1 : 0;
+        }
+        const Plane cut{{0.5, 0, 0}, {-1, 0, 0}};
+        const double shareLeft = glm::length(areaVector(partBefore(cut, polygon, 0))) / glm::length(areaVector(polygon));
+        EXPECT_EQ(within, kSide * kSide);
+        EXPECT_LT(glm::distance(even, centroid(polygon)), 0.005);
+        EXPECT_NEAR(left / double{kSide * kSide}, shareLeft, 0.005);
+        EXPECT_GT(glm::distance(bySquare, centroid(polygon)), 0.03) << "without weights the square's points are not even";
+    }
 }
 
 } // namespace

@@ -163,9 +163,8 @@ TEST(Emitters, ARoomOfOneMeshIsLitWhicheverWayItsFacesWind) {
 double areaOf(const scene::Mesh& mesh, const dmat3& worldFromMesh) {
     double area = 0;
     for (const uvec3& t : mesh.triangles) {
-        const dvec3 a = worldFromMesh * dvec3(mesh.positionsMesh[t.x]), b = worldFromMesh * dvec3(mesh.positionsMesh[t.y]),
-                    c = worldFromMesh * dvec3(mesh.positionsMesh[t.z]);
-        area += 0.5 * glm::length(glm::cross(b - a, c - a));
+        const auto corner = [&](std::uint32_t vertex) { return worldFromMesh * dvec3(mesh.positionsMesh[vertex]); };
+        area += glm::length(areaVector({corner(t.x), corner(t.y), corner(t.z)}));
     }
     return area;
 }
@@ -197,10 +196,7 @@ TEST(Emitters, ASimplifiedBodySendsWhatItsMeshSends) {
 TEST(Emitters, ASimplifiedBallThatIsTheRoomIsAsBrightAsItIs) {
     scene::Scene scene;
     scene.materials.push_back(glowing(scene::EmittingSides::both));
-    scene.objects.clear();
-    const auto mesh = scene::sharedMesh(scene::makeSphere(2, 48));
-    addObject(scene, *mesh, translation({0, 2, 0})).partMaterials = {0};
-    scene.objects.back().mesh = mesh;
+    addObject(scene, scene::makeSphere(2, 48), translation({0, 2, 0})).partMaterials = {0};
     RadiosityParams params;
     params.patches = kPatches;
     RoomCache cache;
