@@ -98,12 +98,13 @@ std::vector<std::uint32_t> chosenPatches(const RoomCache& cache, const LightBala
 void describeEquations(const RoomCache& cache, const Sources& sources, const LightBalance& balance,
                        std::vector<std::uint32_t> chosen, Probe& probe) {
     RadiosityEquations& equations = probe.add(RadiosityEquations{});
+    const std::vector<dvec3> radiosity = balance.exchanged();
     equations.count = static_cast<std::uint32_t>(cache.room().patches().size());
     for (const std::uint32_t i : chosen) {
         equations.patches.push_back(i + 1);
         equations.reflectance.push_back(sources.reflectance[i]);
         equations.emission.push_back(sources.first(i));
-        equations.radiosity.push_back(balance.radiosity()[i]);
+        equations.radiosity.push_back(radiosity[i]);
         std::vector<double>& row = equations.formFactors.emplace_back();
         dvec3 others(0.0);
         const double area = cache.room().allPatches()[i].area;
@@ -111,7 +112,7 @@ void describeEquations(const RoomCache& cache, const Sources& sources, const Lig
             row.push_back(cache.exchange().matrix(i, k) / area);
         for (std::uint32_t k = 0; k < equations.count; ++k)
             if (!std::ranges::binary_search(chosen, k))
-                others += cache.exchange().matrix(i, k) / area * balance.radiosity()[k];
+                others += cache.exchange().matrix(i, k) / area * radiosity[k];
         equations.fromOthers.push_back(others);
     }
 }

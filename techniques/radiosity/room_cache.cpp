@@ -88,6 +88,8 @@ void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& p
     analytic_.reset();
     drawn_.reset();
     exchange_.reset();
+    pathBuilder_.reset();
+    pathLight_.reset();
     cells_.reset();
     spheres_.clear();
     room_ = std::make_unique<Room>(*roomSnapshot_, key_.settings, eye);
@@ -116,7 +118,7 @@ bool RoomCache::advance(const scene::Snapshot& snapshot, const RadiosityParams& 
         if (std::chrono::steady_clock::now() >= deadline) return false; // they may take a tenth of a second
         cells_ = surfaceCells(*roomSnapshot_, *room_);
     }
-    return true;
+    return advancePathLight(deadline);
 }
 
 /// Cuts some patches by the light on them. False: none need cutting, or all rounds are done.
@@ -223,6 +225,15 @@ bool RoomCache::advanceLights(Deadline deadline) {
         cached.found = cached.builder->take();
         cached.builder.reset();
     }
+    return true;
+}
+
+bool RoomCache::advancePathLight(Deadline deadline) {
+    if (params_.direct == RadiosityParams::Direct::patches || pathLight_ || !room_->followsAny()) return true;
+    if (!pathBuilder_) pathBuilder_ = std::make_unique<PathLightBuilder>(*room_, *cells_, roomSnapshot_);
+    if (!pathBuilder_->advance(deadline)) return false;
+    pathLight_ = pathBuilder_->take();
+    pathBuilder_.reset();
     return true;
 }
 

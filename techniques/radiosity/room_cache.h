@@ -13,6 +13,7 @@
 #include "techniques/radiosity/display/surface_cells.h"
 #include "techniques/radiosity/exchange/prepared_exchange.h"
 #include "techniques/radiosity/lights/direct_light.h"
+#include "techniques/radiosity/lights/path_light.h"
 #include "techniques/radiosity/params.h"
 #include "techniques/radiosity/room/room.h"
 #include "techniques/technique.h"
@@ -48,6 +49,8 @@ public:
     [[nodiscard]] const DirectLight& light(int light) const { return *lights_[static_cast<std::size_t>(light)].found; }
     [[nodiscard]] const LightSource& source(int light) const { return *lights_[static_cast<std::size_t>(light)].source; }
     [[nodiscard]] std::vector<const DirectLight*> lights() const;
+    /// Of light of emitters that is followed along paths (lights/path_light.h), for each patch; empty where there is none, or direct light is that of patches.
+    [[nodiscard]] std::span<const dvec3> pathLight() const { return params_.direct != RadiosityParams::Direct::patches && pathLight_ ? *pathLight_ : std::span<const dvec3>(); }
     /// Changes whenever the room or its form factors are recomputed.
     [[nodiscard]] std::uint64_t version() const { return version_; }
 
@@ -79,6 +82,7 @@ private:
     bool refineOnce();
     bool findFormFactors(const RadiosityParams& params, Deadline deadline);
     bool advanceLights(Deadline deadline);
+    bool advancePathLight(Deadline deadline);
 
     scene::Snapshot snapshot_, roomSnapshot_; ///< as it is now, and as it was when the room was built
     std::vector<scene::Bounds> bounds_;
@@ -111,6 +115,8 @@ private:
     mutable std::map<std::uint32_t, CoveringSpheres> spheres_; ///< by object
     std::vector<std::uint8_t> receives_; ///< for each patch: does it receive shadow? 1 or 0
     std::vector<CachedLight> lights_;
+    std::unique_ptr<PathLightBuilder> pathBuilder_;
+    std::optional<std::vector<dvec3>> pathLight_;
     std::uint64_t version_ = 0;
 };
 

@@ -47,7 +47,7 @@ private:
         SolverKind solver = SolverKind::direct;
         double tolerance = 0;
         int steps = 0, stepsPerPicture = 0;
-        bool ambientTerm = true;
+        bool ambientTerm = true, hasPathLight = false;
         RadiosityParams::Surroundings surroundings{};
         friend bool operator==(const SolutionCacheKey&, const SolutionCacheKey&) = default;
     };

@@ -5,6 +5,8 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "techniques/foundation/scene/model/surface_color.h"
+
 namespace shadowlab::radiosity {
 
 namespace {
@@ -18,6 +20,10 @@ dvec3 geometricNormal(const trace::SceneTracer& tracer, const trace::SurfacePoin
     const trace::Triangle& t = tracer.bvh().triangles[point.primitive];
     const dvec3 normal = glm::normalize(trace::frontOf(t));
     return point.eyeOnFront ? normal : -normal;
+}
+
+dvec3 reflectanceAt(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
+    return dvec3(scene::diffuseAt(tracer.scene(), tracer.objectOf(point), tracer.world().triangleInMesh(point.primitive), point.barycentric()));
 }
 
 std::optional<Aim> aimAt(const dvec3& positionWorld, const dvec3& facing, const trace::SceneTracer& tracer, const RayOrigin& from) {

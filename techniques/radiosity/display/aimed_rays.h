@@ -17,6 +17,10 @@ inline double balanced(double density, double densityOfOther) { return density >
 /// The triangle's own unit normal, on the side from which the point was found.
 dvec3 geometricNormal(const trace::SceneTracer& tracer, const trace::SurfacePoint& point);
 
+/// The diffuse reflectance of that place itself. A patch's is a mean, with what an image lays on it and with what lamps cover; and where the patch is one of a
+/// simplified mesh it may be that of another part, as of the next square of a chessboard.
+dvec3 reflectanceAt(const trace::SceneTracer& tracer, const trace::SurfacePoint& point);
+
 /// From where rays are sent.
 struct RayOrigin {
     const trace::SurfacePoint& point;

@@ -35,8 +35,6 @@ double relativeVariance(std::span<const double> exchange, double area, std::span
     return mean > 0 ? meanSquare / (mean * mean) - 1 : 0;
 }
 
-bool isSimplified(const Room& room, std::uint32_t object) { return !room.simple().cornersOfObject[object].empty(); }
-
 /// The simplified objects that send more than others do, as no light is uneven by those that do not. `sent`: luminance of each of Room::patches().
 std::vector<std::uint32_t> brightMeshes(const Room& room, std::span<const double> sent) {
     std::vector<double> ofObject(room.simple().scene->objects.size()), areas(ofObject.size());
@@ -49,7 +47,7 @@ std::vector<std::uint32_t> brightMeshes(const Room& room, std::span<const double
     }
     std::vector<std::uint32_t> bright;
     for (std::uint32_t object = 0; object < ofObject.size(); ++object)
-        if (isSimplified(room, object) && ofObject[object] * allAreas > kUneven * all * areas[object]) bright.push_back(object);
+        if (room.isSimplified(object) && ofObject[object] * allAreas > kUneven * all * areas[object]) bright.push_back(object);
     return bright;
 }
 
@@ -88,7 +86,7 @@ GatherGuide::GatherGuide(const RoomCache& cache, const Sources& sources, std::sp
         const std::uint32_t object = room_->faceOf(room_->patches()[j]).object;
         const auto mesh = std::ranges::find(meshes_, object, &Mesh::object);
         if (mesh != meshes_.end()) targets_[j] = count + static_cast<std::uint32_t>(mesh - meshes_.begin());
-        if (!isSimplified(*room_, object)) targets_[j] = j;
+        if (!room_->isSimplified(object)) targets_[j] = j;
         spreads_.push_back(targets_[j] == j ? spreadOf(cache, sources, j, sent[j]) : std::nullopt);
     }
     const double sky = glm::pi<double>() * luminance(outside);

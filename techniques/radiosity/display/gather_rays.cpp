@@ -72,7 +72,7 @@ double shareOfOutside(const Openings& openings, const dvec3& fromWorld, const dv
 
 /// On which patch the point lies, if from there points are chosen.
 std::optional<std::uint32_t> unevenPatch(const trace::SurfacePoint& point, const GatherSolution& solution, const trace::SceneTracer& tracer) {
-    const auto patch = patchOf(point, solution.cache, tracer);
+    const auto patch = patchOf(point, solution.cache.cells(), tracer);
     return patch && solution.guide.isUneven(*patch) ? patch : std::nullopt;
 }
 

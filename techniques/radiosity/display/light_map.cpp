@@ -84,7 +84,7 @@ void LightMap::begin(const scene::Snapshot& snapshot, const RoomCache& cache, st
     const double offPlane = 2 * kOffPlane * room.simple().cellMetres;
     for (std::size_t i = 0; i < firstVertex_; ++i)
         if (const std::uint32_t object = room.faceOf(room.allPatches()[points_[i].patch]).object;
-            !room.simple().cornersOfObject[object].empty())
+            room.isSimplified(object))
             bringToSurface(points_[i], object, offPlane);
 }
 

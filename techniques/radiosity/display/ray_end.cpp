@@ -8,7 +8,6 @@
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/math/perpendicular.h"
-#include "techniques/foundation/scene/model/surface_color.h"
 #include "techniques/foundation/scene/query/shading.h"
 #include "techniques/radiosity/display/aimed_rays.h"
 #include "techniques/radiosity/room/sample_hemisphere.h"
@@ -30,9 +29,11 @@ public:
     [[nodiscard]] Sent sentFrom(const trace::SurfacePoint& point, double distance, int reflections) const {
         // What a lamp sends is direct light, which has been counted.
         if (tracer_.objectOf(point).emitterOfLight >= 0) return {};
-        const auto patch = patchOf(point, solution_.cache, tracer_);
+        const auto patch = patchOf(point, solution_.cache.cells(), tracer_);
         if (!patch) return {}; // the inside of a closed body: dark
-        dvec3 irradiance = goesOn(*patch, distance, reflections) ? onward(point, *patch, reflections) : solution_.reflectedIrradiance[*patch];
+        const Room& room = solution_.cache.room();
+        const dvec3 emission = room.emissionOf(room.allPatches()[*patch]), reflectance = reflectanceAt(tracer_, point), mean = solution_.reflectedIrradiance[*patch];
+        dvec3 irradiance = goesOn(*patch, distance, reflections) ? onward(point, *patch, reflections, room.isFollowed(*patch) ? shareOf(reflectance * mean, emission) : 1) : mean;
         for (int i = 0; i < static_cast<int>(tracer_.scene().lights.size()); ++i) {
             const scene::Light& source = tracer_.scene().light(i);
             if (scene::hasArea(source))
@@ -40,29 +41,36 @@ public:
             else if (isLit(point, i, *patch))
                 irradiance += scene::irradiance(source, tracer_.positionWorld(point), geometricNormal(tracer_, point));
         }
-        const Room& room = solution_.cache.room();
-        return {room.emissionOf(room.allPatches()[*patch]) + reflectanceAt(point) * irradiance, patch};
+        return {emission + reflectance * irradiance, patch};
     }
 
 private:
-    /// That of the place itself. The patch's is a mean, with what an image lays on it and with what lamps cover; and where the patch is one of a
-    /// simplified mesh it may be that of another part, as of the next square of a chessboard.
-    [[nodiscard]] dvec3 reflectanceAt(const trace::SurfacePoint& point) const {
-        return dvec3(scene::diffuseAt(tracer_.scene(), tracer_.objectOf(point), tracer_.world().triangleInMesh(point.primitive), point.barycentric()));
-    }
-
-    /// Simplified: where openings bring much of the light, only rays sent to them on purpose find it without noise, and the patch's mean is kept.
-    [[nodiscard]] bool goesOn(std::size_t patch, double distance, int reflections) const {
+    /// Close to an emitter the patch's mean is always wrong. Simplified: elsewhere, where openings bring much of the light, only rays sent to them on
+    /// purpose find it without noise, and the patch's mean is kept.
+    [[nodiscard]] bool goesOn(std::uint32_t patch, double distance, int reflections) const {
+        if (solution_.cache.room().isFollowed(patch)) return reflections < kMostReflections;
         return reflections < kMostReflections && solution_.openings.isEmpty() &&
                distance * distance < kNear * kNear * solution_.cache.room().allPatches()[patch].area;
     }
 
-    /// The irradiance by other surfaces, W/m^2, as one ray finds it: where light comes from few patches, in half of all cases a ray to a point of them.
-    [[nodiscard]] dvec3 onward(const trace::SurfacePoint& point, std::uint32_t patch, int reflections) const {
+    /// The share of what a surface sends that it reflects, which goes on so often: rays that end on a lamp need not be twice as many for the little that it reflects.
+    [[nodiscard]] static double shareOf(const dvec3& reflected, const dvec3& emission) {
+        constexpr double kLeast = 0.05; // the mean may be too small
+        const double of = luminance(reflected), emitted = luminance(emission);
+        return emitted > 0 ? std::max(kLeast, of / (of + emitted)) : 1;
+    }
+
+    /// The irradiance by other surfaces, W/m^2, as one ray finds it that goes on with that chance: where light comes from few patches, in half of all cases a ray to a
+    /// point of them.
+    [[nodiscard]] dvec3 onward(const trace::SurfacePoint& point, std::uint32_t patch, int reflections, double chance) const {
+        const double which = numbers_.onwardWhich(reflections) / chance;
+        return which < 1 ? irradianceBy(which, point, patch, reflections) / chance : dvec3(0);
+    }
+    [[nodiscard]] dvec3 irradianceBy(double which, const trace::SurfacePoint& point, std::uint32_t patch, int reflections) const {
         const dvec3 normal = geometricNormal(tracer_, point), tangent = perpendicularTo(normal);
         const bool mayChoose = solution_.guide.isUneven(patch);
         const RayOrigin from{point, normal, normal, mayChoose ? std::optional(patch) : std::nullopt};
-        const double which = numbers_.onwardWhich(reflections), ofKinds = mayChoose ? 2 : 1;
+        const double ofKinds = mayChoose ? 2 : 1;
         if (mayChoose && which < 0.5) {
             const auto met = chosenPoint(solution_.guide, tracer_, from, ofKinds * which, numbers_.onward(reflections));
             return met ? ofKinds * met->share * sentFrom(met->point, met->distance, reflections + 1).radiosity : dvec3(0);
@@ -79,8 +87,7 @@ private:
     [[nodiscard]] bool mayHaveEdge(const trace::SurfacePoint& point, const DirectLight& light, std::size_t patch) const {
         if (light.mayHaveEdge[patch] != 0) return true;
         const Room& room = solution_.cache.room();
-        const bool isSimplified = !room.simple().cornersOfObject[tracer_.world().objects[point.primitive]].empty();
-        if (!isSimplified) return false;
+        if (!room.isSimplified(tracer_.world().objects[point.primitive])) return false;
         const Patch& one = room.allPatches()[patch];
         return !holds(one.polygon, tracer_.positionWorld(point) - room.world().originWorld, one.normal);
     }
@@ -125,16 +132,6 @@ private:
 
 Sent sentFrom(const trace::SurfacePoint& point, double distance, const GatherSolution& solution, const trace::SceneTracer& tracer, const RayNumbers& numbers) {
     return RayEnd(solution, tracer, numbers).sentFrom(point, distance, 0);
-}
-
-std::optional<std::uint32_t> patchOf(const trace::SurfacePoint& point, const RoomCache& cache, const trace::SceneTracer& tracer) {
-    const scene::Mesh& mesh = *tracer.objectOf(point).mesh;
-    const std::uint32_t triangle = tracer.world().triangleInMesh(point.primitive);
-    const dvec3 weights = point.barycentric();
-    dvec3 positionMesh(0);
-    for (int i = 0; i < 3; ++i)
-        positionMesh += weights[i] * dvec3(mesh.positionsMesh[mesh.triangles[triangle][i]]);
-    return patchAt(cache.cells(), point.primitive, point.eyeOnFront, vec3(positionMesh));
 }
 
 } // namespace shadowlab::radiosity

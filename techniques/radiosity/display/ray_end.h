@@ -20,7 +20,4 @@ struct Sent {
 /// `distance`: the ray's length, metres.
 Sent sentFrom(const trace::SurfacePoint& point, double distance, const GatherSolution& solution, const trace::SceneTracer& tracer, const RayNumbers& numbers);
 
-/// On which patch the point lies; nothing: on the inside of a closed body.
-std::optional<std::uint32_t> patchOf(const trace::SurfacePoint& point, const RoomCache& cache, const trace::SceneTracer& tracer);
-
 } // namespace shadowlab::radiosity

@@ -17,6 +17,16 @@ std::optional<std::uint32_t> patchAt(const SurfaceCells& cells, std::uint32_t tr
     return cells.cells[next & ~PatchTree::kLeaf].x;
 }
 
+std::optional<std::uint32_t> patchOf(const trace::SurfacePoint& point, const SurfaceCells& cells, const trace::SceneTracer& tracer) {
+    const scene::Mesh& mesh = *tracer.objectOf(point).mesh;
+    const std::uint32_t triangle = tracer.world().triangleInMesh(point.primitive);
+    const dvec3 weights = point.barycentric();
+    dvec3 positionMesh(0);
+    for (int i = 0; i < 3; ++i)
+        positionMesh += weights[i] * dvec3(mesh.positionsMesh[mesh.triangles[triangle][i]]);
+    return patchAt(cells, point.primitive, point.eyeOnFront, vec3(positionMesh));
+}
+
 std::vector<dvec3> blended(const SurfaceCells& cells, std::span<const dvec3> ofPatches) {
     std::vector<dvec3> values(cells.blends.size());
     if (cells.blends.empty()) return values;

@@ -60,6 +60,9 @@ SurfaceCells surfaceCells(const scene::Scene& drawn, const Room& room);
 std::optional<std::uint32_t> patchAt(const SurfaceCells& cells, std::uint32_t triangle, bool fromFront,
                                      const vec3& positionMesh);
 
+/// The patch at a point that a ray has found in the drawn scene; nothing: on the surface of a light, or the inside of a closed body.
+std::optional<std::uint32_t> patchOf(const trace::SurfacePoint& point, const SurfaceCells& cells, const trace::SceneTracer& tracer);
+
 /// The values of all blends, computed from those of the patches.
 std::vector<dvec3> blended(const SurfaceCells& cells, std::span<const dvec3> ofPatches);
 

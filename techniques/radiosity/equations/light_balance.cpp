@@ -26,6 +26,21 @@ Sources sourcesOf(const Room& room, std::span<const DirectLight* const> lights, 
     return sources;
 }
 
+void takeApart(Sources& sources, const Room& room, const PreparedExchange& exchange, std::span<const dvec3> pathLight) {
+    const std::size_t count = room.patches().size();
+    std::vector<dvec3> sent(count);
+    sources.isFollowed.assign(sources.size(), 0);
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (room.isFollowed(i)) {
+            sources.isFollowed[i] = 1;
+            if (!room.isSimplified(room.faceOf(room.patches()[i]).object)) sent[i] = sources.emission[i];
+        }
+    sources.byPaths = gathered(exchange.matrix, exchange.areas, sent);
+    for (std::size_t i = 0; i < count; ++i)
+        sources.byPaths[i] += pathLight[i];
+    sources.byPaths.resize(sources.size(), dvec3(0)); // loose patches see no emitter
+}
+
 Problem LightBalance::problem() const {
     const std::size_t count = exchange_->areas.size();
     Problem problem{exchange_->matrix, exchange_->areas, {}, {}};
@@ -78,7 +93,25 @@ const EnergyBalance& LightBalance::energy() const {
         energy_->emitted += lost;
         energy_->absorbed += lost;
     }
+    if (!sources_->byPaths.empty()) addApart(*energy_);
     return *energy_;
+}
+
+/// Of light that is followed, the equations have as "emission" what other patches reflect. They absorb the rest of what reaches them, as do those that are followed;
+/// what is left escapes.
+void LightBalance::addApart(EnergyBalance& energy) const {
+    dvec3 sent(0), reflected(0), absorbed(0);
+    for (std::size_t i = 0; i < exchange_->areas.size(); ++i) {
+        const dvec3 arriving = exchange_->areas[i] * sources_->byPaths[i];
+        absorbed += (1.0 - sources_->reflectance[i]) * arriving;
+        if (sources_->isFollowed[i] != 0)
+            sent += exchange_->areas[i] * sources_->emission[i];
+        else
+            reflected += sources_->reflectance[i] * arriving;
+    }
+    energy.emitted += sent - reflected;
+    energy.absorbed += absorbed;
+    energy.escaped += sent - reflected - absorbed;
 }
 
 void LightBalance::show() {
@@ -88,14 +121,23 @@ void LightBalance::show() {
     if (solver_) radiosity_ = showsEstimate_ ? solver_->shown() : solver_->radiosity();
     for (std::size_t i = radiosity_.size(); i < sources_->size(); ++i)
         radiosity_.push_back(sources_->first(i));
+    for (std::size_t i = 0; i < radiosity_.size(); ++i)
+        radiosity_[i] += sources_->apart(i);
+}
+
+std::vector<dvec3> LightBalance::exchanged() const {
+    std::vector<dvec3> exchanged = radiosity_;
+    for (std::size_t i = 0; i < exchanged.size(); ++i)
+        exchanged[i] -= sources_->apart(i);
+    return exchanged;
 }
 
 std::vector<dvec3> LightBalance::irradiance() const {
-    std::vector<dvec3> arriving =
-        gathered(exchange_->matrix, exchange_->areas, std::span(radiosity_).first(exchange_->areas.size()));
+    const std::vector<dvec3> sent = exchanged();
+    std::vector<dvec3> arriving = gathered(exchange_->matrix, exchange_->areas, std::span(sent).first(exchange_->areas.size()));
     arriving.resize(sources_->size(), dvec3(0)); // loose patches receive nothing from other patches
     for (std::size_t i = 0; i < arriving.size(); ++i)
-        arriving[i] += sources_->irradiance(i);
+        arriving[i] += sources_->irradiance(i) + (sources_->byPaths.empty() ? dvec3(0) : sources_->byPaths[i]);
     return arriving;
 }
 

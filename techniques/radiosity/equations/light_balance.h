@@ -22,15 +22,29 @@ struct Sources {
     std::vector<dvec3> reflectance; ///< rho_i
     std::vector<dvec3> fromLights;  ///< direct irradiance by lights, W/m^2
     std::vector<dvec3> fromOutside; ///< irradiance by the surroundings, where a patch sees no surface, W/m^2
+    /// Irradiance by light of emitters that is followed along paths (lights/path_light.h), W/m^2; empty: all emitters are in the equations.
+    std::vector<dvec3> byPaths;
+    std::vector<std::uint8_t> isFollowed; ///< Room::isFollowed(), as 1 or 0; empty as well
     [[nodiscard]] std::size_t size() const { return emission.size(); }
     /// Irradiance that comes from no patch, W/m^2.
     [[nodiscard]] dvec3 irradiance(std::size_t i) const { return fromLights[i] + fromOutside[i]; }
     /// Radiosity without interreflection, W/m^2: the constant term of the equations.
-    [[nodiscard]] dvec3 first(std::size_t i) const { return emission[i] + reflectance[i] * irradiance(i); }
+    [[nodiscard]] dvec3 first(std::size_t i) const { return reflectance[i] * irradiance(i) + ofEmitters(i, false); }
+    /// What a patch sends of the light that is followed, and so is not in the equations, W/m^2.
+    [[nodiscard]] dvec3 apart(std::size_t i) const { return ofEmitters(i, true); }
+
+private:
+    [[nodiscard]] dvec3 ofEmitters(std::size_t i, bool ofFollowed) const {
+        if (ofFollowed != (!isFollowed.empty() && isFollowed[i] != 0)) return dvec3(0);
+        return byPaths.empty() ? emission[i] : emission[i] + reflectance[i] * byPaths[i];
+    }
 };
 
 /// `lights`: the irradiance of every patch by each light. `surroundings`: radiance where a patch sees no surface.
 Sources sourcesOf(const Room& room, std::span<const DirectLight* const> lights, const dvec3& surroundings);
+
+/// Takes light that is followed out of the equations: it is irradiance from then on. `pathLight`: what PathLightBuilder has found.
+void takeApart(Sources& sources, const Room& room, const PreparedExchange& exchange, std::span<const dvec3> pathLight);
 
 /// The radiosity of every patch, solved step by step.
 class LightBalance {
@@ -58,6 +72,8 @@ public:
     [[nodiscard]] const EnergyBalance& energy() const;
     /// B_i of every patch, W/m^2, for display.
     [[nodiscard]] const std::vector<dvec3>& radiosity() const { return radiosity_; }
+    /// The same without Sources::apart(): the solution of the equations.
+    [[nodiscard]] std::vector<dvec3> exchanged() const;
     /// H_i of every patch, W/m^2: the irradiance by lights, surroundings, and the radiosities so far.
     [[nodiscard]] std::vector<dvec3> irradiance() const;
     /// The irradiance that radiosity() corresponds to: (B_i - E_i) / rho_i, which is H_i once the room is solved. Where rho is 0
@@ -72,6 +88,7 @@ public:
 
 private:
     void show();
+    void addApart(EnergyBalance& energy) const;
 
     const PreparedExchange* exchange_ = nullptr;
     const Sources* sources_ = nullptr;

@@ -56,7 +56,7 @@ std::optional<FaceParts> NearEmitters::divided(const FaceParts& parts, double sc
 void NearEmitters::divide(const Patch& piece, double scale, int doublings, std::vector<FacePart>& parts) const {
     const bool isTooLong = std::ranges::any_of(emitters_, [&](const Emitter& emitter) {
         const double longest = std::ldexp(scale * longestNear(emitter.box, piece.polygon), doublings); // twice as long where all patches are
-        return emitter.object != sides_.faces.all[piece.face].object && sizeOf(piece.polygon) > longest && sees(piece, emitter);
+        return emitter.object != objectOf(piece) && sizeOf(piece.polygon) > longest && sees(piece, emitter);
     });
     const std::vector<Polygon> polygons = isTooLong ? dividedPatch(piece) : std::vector{piece.polygon};
     if (polygons.size() == 1) {
@@ -65,6 +65,34 @@ void NearEmitters::divide(const Patch& piece, double scale, int doublings, std::
     }
     for (const Polygon& polygon : polygons)
         divide(pieceOf(piece, polygon), scale, doublings, parts);
+}
+
+std::vector<std::uint8_t> NearEmitters::followed(std::span<const Patch> patches, const IsSimplified& isSimplified) const {
+    std::vector<std::uint8_t> followed(patches.size(), 0);
+    std::vector<std::uint32_t> objects; // of emitters that are followed
+    for (const Emitter& emitter : emitters_) {
+        bool isFollowed = isSimplified(emitter.object);
+        for (std::size_t i = 0; i < patches.size(); ++i) {
+            const Patch& patch = patches[i];
+            const bool isClose = distanceBetween(boxOf(patch.polygon), emitter.box) < sizeOf(patch.polygon);
+            if (!isClose || objectOf(patch) == emitter.object || !reaches(emitter, patch)) continue;
+            isFollowed = true;
+            followed[i] = 1;
+        }
+        if (isFollowed) objects.push_back(emitter.object);
+    }
+    for (std::size_t i = 0; i < patches.size(); ++i)
+        if (std::ranges::find(objects, objectOf(patches[i])) != objects.end()) followed[i] = 1;
+    return followed;
+}
+
+/// If nothing stands between them: does it shine at a part of the patch, and lie before the patch in part?
+bool NearEmitters::reaches(const Emitter& emitter, const Patch& patch) const {
+    const double touches = kTouching * sizeOf(patch.polygon);
+    const auto isShoneAt = [&](const dvec3& place) { return std::ranges::any_of(emitter.planes, [&](const Plane& plane) { return plane.height(place) > touches; }); };
+    if (std::ranges::none_of(patch.polygon.corners(), isShoneAt)) return false;
+    const dvec3 farthest = glm::mix(emitter.box.lower, emitter.box.upper, glm::step(0.0, patch.normal)); // along the normal
+    return patch.plane().height(farthest) > touches;
 }
 
 /// From its middle or from near one of its corners.

@@ -107,6 +107,22 @@ TEST_F(RadiosityRayEndTest, EveryReflectionGoesItsOwnWay) {
     EXPECT_NEAR(gatheredOverPaths(scene, {32, 32}), 1, 0.005) << "where one direction goes with the next it is 0.94";
 }
 
+// A panel that shines at a wall 3 cm behind it. What gets out comes from near its outline, where the wall is darker than the patches behind the panel.
+TEST_F(RadiosityRayEndTest, OfAGapComesWhatItsBorderSends) {
+    scene::Scene scene = testing::emptyRoom({1.6, 1.6, 1.6});
+    scene.materials.resize(2);
+    scene.materials[0].diffuse = vec3(0.6f);
+    scene.materials[1].diffuse = vec3(0.3f);
+    scene.materials[1].emission = vec3(1);
+    testing::addObject(scene, scene::makeQuad({0.9, 0.6}), glm::rotate(testing::translation({0.03, 0.8, 0.8}), glm::radians(90.0), dvec3(0, 0, 1))).partMaterials = {1};
+    scene.camera.positionWorld = {0.8, 0.8, 0.8};
+    scene.camera.targetWorld = {1.6, 0.8, 0.801};
+    scene.camera.fovYDegrees = 80;
+    scene.camera.near = 0.01;
+    for (const std::string patches : {"patches=150", "patches=600"})
+        EXPECT_NEAR(gatheredOverPaths(scene, {32, 32}, patches), 1, 0.03) << "by the means of patches, and without paths, it is 1.19 and 1.14";
+}
+
 // A chessboard of which few patches are left, each of several squares. What is sent from nearby is that of the square, in its colour and its shadow.
 TEST_F(RadiosityRayEndTest, SquaresOfASimplifiedBoardKeepColourAndShadow) {
     scene::Scene scene = *scene::loadScene("mirror-and-glass", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});

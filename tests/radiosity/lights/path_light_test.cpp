@@ -1,0 +1,180 @@
+// Light of emitters that is followed along paths, held against integrals over closed forms.
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/lights/path_light.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "techniques/radiosity/equations/light_balance.h"
+#include "techniques/radiosity/form_factors/point_form_factor.h"
+#include "techniques/radiosity/room_cache.h"
+#include "tests/radiosity/scene_room.h"
+
+namespace shadowlab::radiosity {
+namespace {
+
+using namespace shadowlab::testing;
+
+constexpr double kEmitted = 2 * glm::pi<double>(); ///< W/m^2: a radiance of 2
+constexpr double kGap = 0.03, kWidth = 0.6, kHeight = 0.9, kReflected = 0.7;
+
+/// A room of 4 x 3 x 4 m. Objects 0 to 3 and 5 are dull, 4 is the wall at x = 0.
+scene::Scene roomOf(double reflectance, double ofWall) {
+    scene::Scene scene = emptyRoom({4, 3, 4});
+    scene.materials.resize(3);
+    scene.materials[0].diffuse = vec3(static_cast<float>(reflectance));
+    scene.materials[1].diffuse = vec3(static_cast<float>(ofWall));
+    scene.materials[2].diffuse = vec3(0);
+    scene.materials[2].emission = vec3(2);
+    scene.objects[4].partMaterials = {1};
+    return scene;
+}
+
+/// Before that wall a panel that shines at it and reflects nothing.
+scene::Scene roomWithPanel(double reflectance) {
+    scene::Scene scene = roomOf(reflectance, kReflected);
+    addObject(scene, scene::makeQuad({kHeight, kWidth}), glm::rotate(translation({kGap, 1.5, 2}), glm::radians(90.0), dvec3(0, 0, 1))).partMaterials = {2};
+    return scene;
+}
+constexpr std::uint32_t kWall = 4, kPanel = 6;
+
+struct Prepared {
+    explicit Prepared(scene::Scene scene, int patches, RadiosityParams::Direct direct = RadiosityParams::Direct::pixels) : snapshot(testing::snapshot(std::move(scene))) {
+        params.patches = patches;
+        params.direct = direct;
+        while (!cache.advance(snapshot, params, Deadline::max())) {
+        }
+        sources = sourcesOf(cache.room(), cache.lights(), dvec3(0));
+        if (!cache.pathLight().empty()) takeApart(sources, cache.room(), cache.exchange(), cache.pathLight());
+        balance.restart(cache.exchange(), sources, SolverKind::conjugateGradients);
+        balance.advance({1e-6, 0}, 0, Deadline::max());
+    }
+    scene::Snapshot snapshot;
+    RadiosityParams params;
+    RoomCache cache;
+    Sources sources;
+    LightBalance balance;
+};
+
+/// What gets out of the gap after one reflection, W. The wall sends rho E, and of that the panel takes back what it sends to the wall itself, E / M (reciprocity).
+double wattsOutOfGap() {
+    const Polygon panel{dvec3(0, -kHeight / 2, -kWidth / 2), dvec3(0, kHeight / 2, -kWidth / 2), dvec3(0, kHeight / 2, kWidth / 2), dvec3(0, -kHeight / 2, kWidth / 2)};
+    const Polygon shining = glm::dot(areaVector(panel), dvec3(-1, 0, 0)) > 0 ? panel : Polygon{panel[3], panel[2], panel[1], panel[0]};
+    constexpr int kCells = 400;
+    constexpr double kHalf = 1.5, kCell = 2 * kHalf / kCells; // beyond it E is less than a ten-thousandth of M
+    double watts = 0;
+    for (int y = 0; y < kCells; ++y)
+        for (int z = 0; z < kCells; ++z) {
+            const double factor = pointFormFactor({-kGap, -kHalf + (y + 0.5) * kCell, -kHalf + (z + 0.5) * kCell}, {1, 0, 0}, shining);
+            watts += kReflected * kEmitted * factor * (1 - factor) * kCell * kCell;
+        }
+    return watts;
+}
+
+/// Of what arrives at other surfaces than the wall and the panel, W.
+double wattsAtOthers(const RoomCache& cache, std::span<const dvec3> irradiance) {
+    double watts = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < cache.room().patches().size(); ++i) {
+        const Patch& patch = cache.room().patches()[i];
+        const std::uint32_t object = cache.room().faceOf(patch).object;
+        if (object == kWall || object == kPanel) continue;
+        watts += patch.area * irradiance[i].x;
+        ++count;
+    }
+    EXPECT_GT(count, 20u);
+    return watts;
+}
+
+// Of half a million paths a seventh gets out: chance is 0.4 % of that.
+TEST(PathLight, WhatGetsOutOfAGapIsItsIntegral) {
+    const double truth = wattsOutOfGap();
+    EXPECT_GT(truth, 0.1);
+    for (const int patches : {150, 600}) {
+        const Prepared room(roomWithPanel(0), patches);
+        ASSERT_FALSE(room.cache.pathLight().empty());
+        // The other surfaces reflect nothing, so all that reaches them comes by way of the wall; a little of it from patches that are not close to the panel.
+        EXPECT_NEAR(wattsAtOthers(room.cache, room.balance.irradiance()) / truth, 1, 0.01) << patches;
+        const Prepared byPatches(roomWithPanel(0), patches, RadiosityParams::Direct::patches);
+        EXPECT_TRUE(byPatches.cache.pathLight().empty());
+        EXPECT_GT(wattsAtOthers(byPatches.cache, byPatches.balance.irradiance()) / truth, 1.05) << patches << ": it is 1.18 with 150 patches, and 1.08 with 600";
+    }
+}
+
+// What is emitted is absorbed, in a closed room: paths end on some patch each.
+TEST(PathLight, NothingIsLostInAClosedRoom) {
+    const Prepared room(roomWithPanel(0.5), 600);
+    ASSERT_FALSE(room.cache.pathLight().empty());
+    const EnergyBalance& energy = room.balance.energy();
+    EXPECT_NEAR(energy.emitted.x, kEmitted * kWidth * kHeight, 1e-6);
+    EXPECT_NEAR(energy.closedResidual().x, 0, 0.01);
+    EXPECT_NEAR(energy.residual().x, 0, 1e-3);
+}
+
+// The equations hold for what they have, and paths for the rest.
+TEST(PathLight, TheSolutionSolvesTheEquations) {
+    const Prepared room(roomWithPanel(0.5), 300);
+    const std::vector<dvec3> exchanged = room.balance.exchanged(), arriving = room.balance.irradiance();
+    std::size_t apart = 0;
+    for (std::size_t i = 0; i < room.cache.room().patches().size(); ++i) {
+        EXPECT_NEAR(room.balance.radiosity()[i].x, room.sources.emission[i].x + room.sources.reflectance[i].x * arriving[i].x, 1e-3);
+        if (room.cache.room().isFollowed(static_cast<std::uint32_t>(i))) {
+            ++apart;
+            EXPECT_GE(room.balance.radiosity()[i].x, exchanged[i].x);
+        } else {
+            EXPECT_EQ(room.balance.radiosity()[i], exchanged[i]);
+        }
+    }
+    EXPECT_GT(apart, 2u);
+}
+
+// Where nothing is close to it, and its mesh is its own, an emitter is a patch like any other.
+TEST(PathLight, InTheMiddleOfARoomNothingIsFollowed) {
+    scene::Scene scene = roomWithPanel(0.5);
+    scene.objects[kPanel].worldFromObject = glm::rotate(translation({2, 1.5, 2}), glm::radians(90.0), dvec3(0, 0, 1));
+    const Prepared room(std::move(scene), 600);
+    EXPECT_FALSE(room.cache.room().followsAny());
+    EXPECT_TRUE(room.cache.pathLight().empty());
+}
+
+/// Irradiance at the middle of the wall that the axis of a ring meets, W/m^2: the form factors of all triangles that face it. None hides another from there.
+double irradianceOnAxis(const scene::Mesh& ring, double distance) {
+    double sum = 0;
+    for (const uvec3& triangle : ring.triangles) {
+        const dvec3 a(ring.positionsMesh[triangle.x]), b(ring.positionsMesh[triangle.y]), c(ring.positionsMesh[triangle.z]);
+        const Polygon polygon{a, b, c};
+        const dvec3 from(0, distance, 0);
+        if (planeOf(polygon).height(from) > 0) sum += kEmitted * pointFormFactor(from, {0, -1, 0}, polygon);
+    }
+    return sum;
+}
+
+// A ring that is simplified to a few edges shines more along its axis than it should.
+TEST(PathLight, ASimplifiedRingShinesAsItsMeshDoes) {
+    scene::Scene scene = roomOf(0, 0);
+    const scene::Mesh ring = scene::makeTorus(0.4, 0.03, {64, 32});
+    addObject(scene, ring, glm::rotate(translation({1.5, 1.5, 2}), glm::radians(90.0), dvec3(0, 0, 1))).partMaterials = {2};
+    const double truth = irradianceOnAxis(ring, 1.5);
+    const auto onAxis = [&](RadiosityParams::Direct direct) { // mean over the patches of the wall at x = 0 within that circle
+        constexpr double kRadius = 0.35;
+        const Prepared room(scene, 600, direct);
+        const std::vector<dvec3> irradiance = room.balance.irradiance();
+        double sum = 0, area = 0;
+        for (std::size_t i = 0; i < room.cache.room().patches().size(); ++i) {
+            const Patch& patch = room.cache.room().patches()[i];
+            const dvec3 centre = patch.centre + room.cache.room().world().originWorld;
+            if (room.cache.room().faceOf(patch).object != kWall || glm::distance(centre, dvec3(0, 1.5, 2)) > kRadius) continue;
+            sum += patch.area * irradiance[i].x;
+            area += patch.area;
+        }
+        EXPECT_GT(area, 0.1);
+        return sum / area / truth;
+    };
+    EXPECT_NEAR(onAxis(RadiosityParams::Direct::pixels), 1, 0.02);
+    EXPECT_GT(std::abs(onAxis(RadiosityParams::Direct::patches) - 1), 0.05) << "it is 0.44 too bright";
+}
+
+} // namespace
+} // namespace shadowlab::radiosity
