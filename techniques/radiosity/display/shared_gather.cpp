@@ -27,15 +27,18 @@ constexpr std::int32_t kNone = -1;
 constexpr double kMostError = 0.35;
 
 // Records of the lattice that a pixel looks at: so many before and behind, across and along. Where all pixels may gather, along few rays, more.
-constexpr int kReach = 2, kReachOfPixels = 4;
+constexpr int kReach = 2, kReachOfPixels = 6;
 
 // Ward's error of a record that is so many steps of the widest lattice away need not be larger than 1: closer to a corner than that, pixels
 // would share nothing, and one would see the noise of each (the least radius of G. Ward and P. Heckbert, "Irradiance Gradients", Eurographics
-// Workshop on Rendering 1992). In small pictures, where all pixels gather along all rays, it is two pixels, and nothing is shared.
-constexpr double kLeastRangeSteps = 2;
+// Workshop on Rendering 1992). Where all pixels may gather it is larger, as they have nothing else. In small pictures, where all pixels gather along all
+// rays, it is two pixels, and nothing is shared.
+constexpr double kLeastRangeSteps = 2, kLeastRangeStepsOfPixels = 3;
 
-// Less weight than that of one record without error, and a pixel takes nothing over.
-constexpr double kLeastWeight = 1.0;
+// Less weight than that of one record without error, and a pixel takes nothing over. Where small sources bring much of the light, so that rays also go to chosen points,
+// records have more noise, and it must be that of two; of the narrow lattices even more, by the square of the share of rays that theirs send, once for these and once because a
+// plane through records so close to each other has steep slopes. (One would see their noise as dashes along the corners of a room that a small lamp lights.)
+constexpr double kLeastWeight = 1, kLeastWeightOfChosen = 2;
 
 // A record farther from the pixel's plane than this share of its range lies on another surface.
 constexpr double kOffThePlane = 0.05;
@@ -173,12 +176,10 @@ void SharedGather::chooseGathering() {
 }
 
 SharedGather::Record SharedGather::recordAt(const GatherSolution& solution, const PixelLight& light, ivec2 pixel) const {
-    const int full = std::min(kFullSpacing, widestSpacing());
-    const auto shares = static_cast<std::size_t>(std::min(spacing_, full)), of = static_cast<std::size_t>(full);
-    const std::size_t count = (key_.rays * shares + of - 1) / of;
+    const auto count = static_cast<std::size_t>(std::ceil(shareOfRays() * static_cast<double>(key_.rays)));
     const trace::SurfacePoint& point = light.pointAt(pixel);
     const Gathered sum = gather(solution, light, pixel, raysOf(pixel / spacing_, count));
-    return {light.tracer().positionCentred(point), light.normalWorld(point), sum.irradiance / static_cast<double>(count), rangeOf(sum)};
+    return {light.tracer().positionCentred(point), light.normalWorld(point), sum.irradiance / static_cast<double>(count), rangeOf(sum), sum.fromChosen > 0};
 }
 
 /// Open pixels take over what they may. Of one that has gathered itself that is at least its own. True: all have been asked.
@@ -195,6 +196,12 @@ bool SharedGather::share(const PixelLight& light, Deadline deadline) {
     std::size_t next = 0;
     std::erase_if(open_, [&](const ivec2&) { return isDone_[next++] != 0; });
     return true;
+}
+
+/// The share of all rays that a record of this lattice has sent.
+double SharedGather::shareOfRays() const {
+    const int full = std::min(kFullSpacing, widestSpacing());
+    return static_cast<double>(std::min(spacing_, full)) / full;
 }
 
 /// The range of the point that a pixel shows is not larger, as far as its neighbours tell, metres (J. Krivanek, K. Bouatouch, S. Pattanaik and
@@ -221,10 +228,12 @@ bool SharedGather::takeOver(const PixelLight& light, ivec2 pixel, dvec3& irradia
     const dvec3 positionCentred = light.tracer().positionCentred(point), normal = light.normalWorld(point);
     const double mostRange = this->mostRange(light, pixel, positionCentred, normal);
     const ivec2 last = (key_.seenFrom.size - 1) / spacing_;
-    const double leastRange = kLeastRangeSteps * widestSpacing(); // pixels
-    const int reach = spacing_ == 1 ? kReachOfPixels : kReach;
+    const bool isOfPixels = spacing_ == 1 && widestSpacing() > 1;
+    const double leastRange = (isOfPixels ? kLeastRangeStepsOfPixels : kLeastRangeSteps) * widestSpacing(); // pixels
+    const int reach = isOfPixels ? kReachOfPixels : kReach;
     const ivec2 from = glm::max(pixel / spacing_ - reach, 0), to = glm::min((pixel + spacing_ - 1) / spacing_ + reach, last);
     PlaneFit fit;
+    double ofChosen = 0, ofAll = 0;
     for (int y = from.y; y <= to.y; ++y)
         for (int x = from.x; x <= to.x; ++x) {
             const ivec2 giver = spacing_ * ivec2(x, y);
@@ -238,10 +247,14 @@ bool SharedGather::takeOver(const PixelLight& light, ivec2 pixel, dvec3& irradia
             if (std::abs(glm::dot(way, normal)) > kOffThePlane * range) continue;
             const double distance = std::min(glm::length(way) / range, glm::length(dvec2(giver - pixel)) / leastRange);
             const double error = distance + std::sqrt(std::max(0.0, 1 - glm::dot(normal, record.normal)));
-            fit.add(offset, record.irradiance, tent.x * tent.y * std::max(0.0, 1 - error / kMostError));
+            const double weight = tent.x * tent.y * std::max(0.0, 1 - error / kMostError);
+            fit.add(offset, record.irradiance, weight);
+            ofAll += weight;
+            if (record.hasChosen) ofChosen += weight;
         }
     irradiance = fit.atMiddle();
-    return fit.weightAtMiddle() >= kLeastWeight || recordOf_[indexOf(pixel)] != kNone;
+    const double leastWeight = glm::mix(kLeastWeight, kLeastWeightOfChosen / (shareOfRays() * shareOfRays()), ofAll > 0 ? ofChosen / ofAll : 0);
+    return fit.weightAtMiddle() >= leastWeight || recordOf_[indexOf(pixel)] != kNone;
 }
 
 } // namespace shadowlab::radiosity

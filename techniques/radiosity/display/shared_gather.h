@@ -37,7 +37,8 @@ private:
     /// What one pixel has found.
     struct Record {
         dvec3 positionCentred{0.0}, normal{0.0}, irradiance{0.0};
-        double range = 0; ///< R, metres
+        double range = 0;       ///< R, metres
+        bool hasChosen = false; ///< rays to chosen points bring a part of it
     };
     void restart(const PixelLight& light);
     void chooseGathering();
@@ -47,6 +48,7 @@ private:
     [[nodiscard]] bool takeOver(const PixelLight& light, ivec2 pixel, dvec3& irradiance) const;
     [[nodiscard]] std::size_t indexOf(ivec2 pixel) const;
     [[nodiscard]] int widestSpacing() const;
+    [[nodiscard]] double shareOfRays() const;
 
     GatherKey key_;
     int spacing_ = 0;                     ///< of the lattice, pixels

@@ -120,8 +120,8 @@ TEST_F(RadiosityGatherTest, PixelsThatSeeNothingNearShare) {
     scene.camera.targetWorld = {0, 0, 0};
     const ivec2 size{256, 144};
     testing::TechniqueSlot radiosity("radiosity", testing::snapshot(scene));
-    // Beyond the last row and column of the lattice a plane only goes on: there every other pixel gathers by itself.
-    EXPECT_EQ(radiosity.counted({"gather=shared"}, size, "gathering"), size.x * size.y / 4 + (size.x + size.y) / 2 + 1);
+    // Beyond the last row and column of the lattice a plane only goes on: there every other pixel gathers by itself, but for the last two.
+    EXPECT_EQ(radiosity.counted({"gather=shared"}, size, "gathering"), size.x * size.y / 4 + (size.x + size.y) / 2 - 1);
     for (const vec4& texel : radiosity.radiance({"gather=shared"}, size))
         ASSERT_NEAR(texel.g, 0.2f * scene.materials[0].diffuse.g, 1e-3f);
 }
@@ -267,25 +267,46 @@ TEST_F(RadiosityGatherTest, FewPixelsGatherForALargePicture) {
     EXPECT_LT(std::sqrt(squares * count) / sum, 0.01);
 }
 
+/// Of the rows from a tenth to the middle of a picture, and there of the columns from 6 to 7.5 tenths, what is largest of: how much a pixel differs from the mean of those
+/// so many before and behind it (RMS), over the mean of all.
+double roughestRow(const std::vector<vec4>& texels, ivec2 size, int apart, double least) {
+    double roughest = 0;
+    for (int y = size.y / 10; y < size.y / 2; ++y) {
+        double sum = 0, squares = 0;
+        int count = 0;
+        for (int x = 6 * size.x / 10; x < 3 * size.x / 4; ++x, ++count) {
+            const auto at = [&](int column) { return static_cast<double>(texels[static_cast<std::size_t>(y * size.x + column)].g); };
+            sum += at(x);
+            squares += std::pow(at(x) - (at(x - apart) + at(x + apart)) / 2, 2);
+        }
+        EXPECT_GT(sum / count, least) << y;
+        roughest = std::max(roughest, std::sqrt(squares * count) / sum);
+    }
+    return roughest;
+}
+
 // Where ceiling and wall meet, few pixels can take over from others, and each gathers along few rays. With their neighbours they make up for
 // it: along a row of pixels light changes slowly there, and what changes from pixel to pixel is noise.
 TEST_F(RadiosityGatherTest, CornersAreSmooth) {
     const scene::Snapshot scene = scene::loadScene("cornell-room", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
     const ivec2 size{512, 512};
-    const std::vector<vec4> texels = testing::TechniqueSlot("radiosity", scene).radiance({"gather=shared"}, size);
-    double roughest = 0;
-    for (int y = size.y / 10; y < size.y / 2; ++y) { // ceiling and back wall, beside lamp and blocks
-        double sum = 0, squares = 0;
-        for (int x = 6 * size.x / 10; x < 3 * size.x / 4; ++x) {
-            const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
-            sum += static_cast<double>(texels[pixel].g);
-            squares += std::pow(static_cast<double>(texels[pixel + 1].g - texels[pixel].g), 2);
-        }
-        const int count = 3 * size.x / 4 - 6 * size.x / 10;
-        EXPECT_GT(sum / count, 0.05) << y;
-        roughest = std::max(roughest, std::sqrt(squares * count) / sum);
-    }
-    EXPECT_LT(roughest, 0.05) << "it is 0.04; where no pixel takes over from the nearest ones it is 0.19";
+    const std::vector<vec4> texels = testing::TechniqueSlot("radiosity", scene).radiance({"gather=shared"}, size); // ceiling and back wall, beside lamp and blocks
+    EXPECT_LT(roughestRow(texels, size, 1, 0.05), 0.035) << "it is 0.028; where no pixel takes over from the nearest ones it is 0.22";
+}
+
+// A small lamp is found by rays to chosen points, with more noise.
+TEST_F(RadiosityGatherTest, CornersAreSmoothBesideASmallLamp) {
+    scene::Scene scene = testing::emptyRoom({4, 3, 4});
+    scene.materials.resize(2);
+    scene.materials[0].diffuse = vec3(0.7f);
+    scene.materials[1].emission = vec3(20);
+    testing::addObject(scene, scene::makeSphere(0.12, 64), testing::translation({0.15, 1.8, 1.7})).partMaterials = {1};
+    scene.camera.positionWorld = {2, 1.5, 3.9};
+    scene.camera.targetWorld = {2, 1.5, 0};
+    scene.camera.fovYDegrees = 70;
+    const ivec2 size{512, 512};
+    const std::vector<vec4> texels = testing::TechniqueSlot("radiosity", testing::snapshot(scene)).radiance({"gather=shared"}, size);
+    EXPECT_LT(roughestRow(texels, size, 16, 0.01), 0.08) << "it is 0.069; where one record does on every lattice it is 0.093";
 }
 
 // A ground of a kilometre, on which colour bleeds a metre wide.
