@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "techniques/radiosity/equations/light_balance.h"
+#include "techniques/radiosity/lights/lamp_cover.h"
+#include "techniques/radiosity/room/near_emitters.h"
 #include "techniques/radiosity/room/patch_memory.h"
 
 namespace shadowlab::radiosity {
@@ -42,6 +44,7 @@ bool shinesInto(const scene::Light& light, const scene::Bounds& box) {
 
 void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& params, const std::optional<Eye>& eye) {
     snapshot_ = snapshot;
+    isFollowedKnown_ = false;
     const scene::Revisions& now = snapshot->revisions;
     if (bounds_.empty() || boundsRevisions_.geometry != now.geometry || boundsRevisions_.transforms != now.transforms)
         bounds_ = scene::objectBounds(*snapshot);
@@ -88,8 +91,10 @@ void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& p
     analytic_.reset();
     drawn_.reset();
     exchange_.reset();
+    followed_ = {};
+    followedLights_.clear();
     pathBuilder_.reset();
-    pathLight_.reset();
+    pathLight_.clear();
     cells_.reset();
     spheres_.clear();
     room_ = std::make_unique<Room>(*roomSnapshot_, key_.settings, eye);
@@ -228,9 +233,42 @@ bool RoomCache::advanceLights(Deadline deadline) {
     return true;
 }
 
+/// Patches closer to a lamp than half its size are in a gap as well: up to a third of what they reflect comes back to it, and the equations let that pass. Not before a lamp
+/// that lies on a surface: there they have it as the surface's, which reflects nothing where it is covered.
+Followed RoomCache::found() const {
+    constexpr double kOfLamp = 0.5;
+    if (!params_.showsPixels()) return {};
+    const std::vector<Patch>& patches = room_->patches();
+    Followed found{room_->followed(), std::vector<std::uint8_t>(lights_.size(), 0)};
+    for (std::size_t l = 0; l < lights_.size(); ++l) {
+        const bool hasSurface = std::ranges::any_of(snapshot_->objects, [&](const scene::Object& object) { return object.emitterOfLight == static_cast<int>(l); });
+        if (!hasSurface) continue;
+        const std::span<const scene::Light> own(&snapshot_->lights[l], 1);
+        const bool liesOnSurface = std::ranges::any_of(patches, [&](const Patch& patch) { return coveredByLamps(patch, own, room_->world().originWorld) > 0; });
+        const trace::CentredBox box = lights_[l].source->box();
+        const std::vector<Plane> fronts = lights_[l].source->fronts();
+        const double reach = liesOnSurface ? 0 : kOfLamp * glm::distance(box.lower, box.upper);
+        for (std::size_t i = 0; i < patches.size(); ++i)
+            if (isInGap(patches[i], box, fronts, reach)) found.patches[i] = found.lights[l] = 1;
+    }
+    return found;
+}
+
 bool RoomCache::advancePathLight(Deadline deadline) {
-    if (params_.direct == RadiosityParams::Direct::patches || pathLight_ || !room_->followsAny()) return true;
-    if (!pathBuilder_) pathBuilder_ = std::make_unique<PathLightBuilder>(*room_, *cells_, roomSnapshot_);
+    if (!isFollowedKnown_) {
+        Followed now = found();
+        std::vector<scene::Light> lights;
+        for (std::size_t l = 0; l < now.lights.size(); ++l)
+            if (now.lights[l] != 0) lights.push_back(snapshot_->lights[l]);
+        if (now != followed_ || lights != followedLights_) {
+            followed_ = std::move(now);
+            followedLights_ = std::move(lights);
+            pathLight_.clear();
+            pathBuilder_ = followed_.any() ? std::make_unique<PathLightBuilder>(*room_, *cells_, snapshot_, followed_) : nullptr;
+        }
+        isFollowedKnown_ = true;
+    }
+    if (!pathBuilder_) return true;
     if (!pathBuilder_->advance(deadline)) return false;
     pathLight_ = pathBuilder_->take();
     pathBuilder_.reset();

@@ -49,8 +49,11 @@ public:
     [[nodiscard]] const DirectLight& light(int light) const { return *lights_[static_cast<std::size_t>(light)].found; }
     [[nodiscard]] const LightSource& source(int light) const { return *lights_[static_cast<std::size_t>(light)].source; }
     [[nodiscard]] std::vector<const DirectLight*> lights() const;
-    /// Of light of emitters that is followed along paths (lights/path_light.h), for each patch; empty where there is none, or direct light is that of patches.
-    [[nodiscard]] std::span<const dvec3> pathLight() const { return params_.direct != RadiosityParams::Direct::patches && pathLight_ ? *pathLight_ : std::span<const dvec3>(); }
+    /// What light brings to each patch that is followed along paths (lights/path_light.h), W/m^2; empty where there is none, or the picture does not show
+    /// direct light by pixels.
+    [[nodiscard]] std::span<const dvec3> pathLight() const { return pathLight_; }
+    [[nodiscard]] const Followed& followed() const { return followed_; }
+    [[nodiscard]] bool isFollowed(std::size_t patch) const { return followed_.hasPatch(patch); }
     /// Changes whenever the room or its form factors are recomputed.
     [[nodiscard]] std::uint64_t version() const { return version_; }
 
@@ -82,6 +85,7 @@ private:
     bool refineOnce();
     bool findFormFactors(const RadiosityParams& params, Deadline deadline);
     bool advanceLights(Deadline deadline);
+    [[nodiscard]] Followed found() const;
     bool advancePathLight(Deadline deadline);
 
     scene::Snapshot snapshot_, roomSnapshot_; ///< as it is now, and as it was when the room was built
@@ -115,8 +119,11 @@ private:
     mutable std::map<std::uint32_t, CoveringSpheres> spheres_; ///< by object
     std::vector<std::uint8_t> receives_; ///< for each patch: does it receive shadow? 1 or 0
     std::vector<CachedLight> lights_;
+    Followed followed_;
+    std::vector<scene::Light> followedLights_; ///< as they were when their light was followed
+    bool isFollowedKnown_ = false;             ///< false: something has changed since
     std::unique_ptr<PathLightBuilder> pathBuilder_;
-    std::optional<std::vector<dvec3>> pathLight_;
+    std::vector<dvec3> pathLight_;
     std::uint64_t version_ = 0;
 };
 

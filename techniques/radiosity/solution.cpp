@@ -49,7 +49,7 @@ void Solution::restartIfChanged(const scene::Snapshot& snapshot, const Radiosity
     sources_ = sourcesOf(cache_.room(), cache_.lights(), radianceOutside(*snapshot, params));
     for (std::size_t i = 0; i < sources_.size(); ++i)
         sources_.reflectance[i] *= 1 - coveredByLamps(cache_.room().allPatches()[i], snapshot->lights, cache_.room().world().originWorld);
-    if (key.hasPathLight) takeApart(sources_, cache_.room(), cache_.exchange(), cache_.pathLight());
+    if (key.hasPathLight) takeApart(sources_, cache_.room(), cache_.exchange(), cache_.lights(), cache_.followed(), cache_.pathLight());
     balance_.restart(cache_.exchange(), sources_, params.solver, params.ambientTerm);
 }
 

@@ -33,7 +33,7 @@ public:
         if (!patch) return {}; // the inside of a closed body: dark
         const Room& room = solution_.cache.room();
         const dvec3 emission = room.emissionOf(room.allPatches()[*patch]), reflectance = reflectanceAt(tracer_, point), mean = solution_.reflectedIrradiance[*patch];
-        dvec3 irradiance = goesOn(*patch, distance, reflections) ? onward(point, *patch, reflections, room.isFollowed(*patch) ? shareOf(reflectance * mean, emission) : 1) : mean;
+        dvec3 irradiance = goesOn(*patch, distance, reflections) ? onward(point, *patch, reflections, solution_.cache.isFollowed(*patch) ? shareOf(reflectance * mean, emission) : 1) : mean;
         for (int i = 0; i < static_cast<int>(tracer_.scene().lights.size()); ++i) {
             const scene::Light& source = tracer_.scene().light(i);
             if (scene::hasArea(source))
@@ -48,7 +48,7 @@ private:
     /// Close to an emitter the patch's mean is always wrong. Simplified: elsewhere, where openings bring much of the light, only rays sent to them on
     /// purpose find it without noise, and the patch's mean is kept.
     [[nodiscard]] bool goesOn(std::uint32_t patch, double distance, int reflections) const {
-        if (solution_.cache.room().isFollowed(patch)) return reflections < kMostReflections;
+        if (solution_.cache.isFollowed(patch)) return reflections < kMostReflections;
         return reflections < kMostReflections && solution_.openings.isEmpty() &&
                distance * distance < kNear * kNear * solution_.cache.room().allPatches()[patch].area;
     }

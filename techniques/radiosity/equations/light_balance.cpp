@@ -26,15 +26,18 @@ Sources sourcesOf(const Room& room, std::span<const DirectLight* const> lights, 
     return sources;
 }
 
-void takeApart(Sources& sources, const Room& room, const PreparedExchange& exchange, std::span<const dvec3> pathLight) {
+void takeApart(Sources& sources, const Room& room, const PreparedExchange& exchange, std::span<const DirectLight* const> lights, const Followed& followed,
+               std::span<const dvec3> pathLight) {
     const std::size_t count = room.patches().size();
-    std::vector<dvec3> sent(count);
-    sources.isFollowed.assign(sources.size(), 0);
-    for (std::uint32_t i = 0; i < count; ++i)
-        if (room.isFollowed(i)) {
-            sources.isFollowed[i] = 1;
-            if (!room.isSimplified(room.faceOf(room.patches()[i]).object)) sent[i] = sources.emission[i];
-        }
+    sources.isFollowed = followed.patches;
+    sources.isFollowed.resize(sources.size(), 0);
+    sources.fromFollowedLights.assign(sources.size(), dvec3(0));
+    for (std::size_t l = 0; l < lights.size(); ++l)
+        for (std::size_t i = 0; followed.lights[l] != 0 && i < sources.size(); ++i)
+            sources.fromFollowedLights[i] += lights[l]->irradiance[i];
+    std::vector<dvec3> sent(count); // straight to others, without noise
+    for (std::size_t i = 0; i < count; ++i)
+        if (followed.hasPatch(i) && !room.isSimplified(room.faceOf(room.patches()[i]).object)) sent[i] = sources.emission[i];
     sources.byPaths = gathered(exchange.matrix, exchange.areas, sent);
     for (std::size_t i = 0; i < count; ++i)
         sources.byPaths[i] += pathLight[i];
@@ -105,7 +108,7 @@ void LightBalance::addApart(EnergyBalance& energy) const {
         const dvec3 arriving = exchange_->areas[i] * sources_->byPaths[i];
         absorbed += (1.0 - sources_->reflectance[i]) * arriving;
         if (sources_->isFollowed[i] != 0)
-            sent += exchange_->areas[i] * sources_->emission[i];
+            sent += exchange_->areas[i] * (sources_->emission[i] + sources_->reflectance[i] * sources_->fromFollowedLights[i]);
         else
             reflected += sources_->reflectance[i] * arriving;
     }

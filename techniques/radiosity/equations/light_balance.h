@@ -11,6 +11,7 @@
 #include "techniques/radiosity/equations/bounces.h"
 #include "techniques/radiosity/exchange/prepared_exchange.h"
 #include "techniques/radiosity/lights/direct_light.h"
+#include "techniques/radiosity/lights/path_light.h"
 #include "techniques/radiosity/room/room.h"
 #include "techniques/radiosity/solvers/solvers.h"
 
@@ -24,19 +25,20 @@ struct Sources {
     std::vector<dvec3> fromOutside; ///< irradiance by the surroundings, where a patch sees no surface, W/m^2
     /// Irradiance by light of emitters that is followed along paths (lights/path_light.h), W/m^2; empty: all emitters are in the equations.
     std::vector<dvec3> byPaths;
-    std::vector<std::uint8_t> isFollowed; ///< Room::isFollowed(), as 1 or 0; empty as well
+    std::vector<std::uint8_t> isFollowed;  ///< Followed::patches, and 0 for loose ones; empty as well
+    std::vector<dvec3> fromFollowedLights; ///< that part of fromLights, W/m^2; empty as well
     [[nodiscard]] std::size_t size() const { return emission.size(); }
     /// Irradiance that comes from no patch, W/m^2.
     [[nodiscard]] dvec3 irradiance(std::size_t i) const { return fromLights[i] + fromOutside[i]; }
     /// Radiosity without interreflection, W/m^2: the constant term of the equations.
-    [[nodiscard]] dvec3 first(std::size_t i) const { return reflectance[i] * irradiance(i) + ofEmitters(i, false); }
+    [[nodiscard]] dvec3 first(std::size_t i) const {
+        if (byPaths.empty()) return emission[i] + reflectance[i] * irradiance(i);
+        if (isFollowed[i] != 0) return reflectance[i] * (irradiance(i) - fromFollowedLights[i]);
+        return emission[i] + reflectance[i] * (irradiance(i) + byPaths[i]);
+    }
     /// What a patch sends of the light that is followed, and so is not in the equations, W/m^2.
-    [[nodiscard]] dvec3 apart(std::size_t i) const { return ofEmitters(i, true); }
-
-private:
-    [[nodiscard]] dvec3 ofEmitters(std::size_t i, bool ofFollowed) const {
-        if (ofFollowed != (!isFollowed.empty() && isFollowed[i] != 0)) return dvec3(0);
-        return byPaths.empty() ? emission[i] : emission[i] + reflectance[i] * byPaths[i];
+    [[nodiscard]] dvec3 apart(std::size_t i) const {
+        return byPaths.empty() || isFollowed[i] == 0 ? dvec3(0) : emission[i] + reflectance[i] * (byPaths[i] + fromFollowedLights[i]);
     }
 };
 
@@ -44,7 +46,8 @@ private:
 Sources sourcesOf(const Room& room, std::span<const DirectLight* const> lights, const dvec3& surroundings);
 
 /// Takes light that is followed out of the equations: it is irradiance from then on. `pathLight`: what PathLightBuilder has found.
-void takeApart(Sources& sources, const Room& room, const PreparedExchange& exchange, std::span<const dvec3> pathLight);
+void takeApart(Sources& sources, const Room& room, const PreparedExchange& exchange, std::span<const DirectLight* const> lights, const Followed& followed,
+               std::span<const dvec3> pathLight);
 
 /// The radiosity of every patch, solved step by step.
 class LightBalance {

@@ -43,6 +43,18 @@ LightSource::LightSource(const scene::Light& light, const dvec3& originWorld, co
     if (!faces.all.empty()) beyond_ = 2 * glm::length(box.upper - box.lower);
 }
 
+trace::CentredBox LightSource::box() const {
+    trace::CentredBox box;
+    if (light_.type == scene::LightType::rect) return boxOf(rect_);
+    box.include(light_.positionWorld);
+    box.grow(light_.radius);
+    return box;
+}
+
+std::vector<Plane> LightSource::fronts() const {
+    return light_.type == scene::LightType::rect ? std::vector{planeOf(rect_)} : std::vector<Plane>();
+}
+
 double LightSource::touching(const dvec3& positionCentred) const {
     return kTouching * glm::distance(positionCentred, light_.positionWorld);
 }

@@ -36,6 +36,11 @@ public:
     /// Has it a surface? Then a point may see a part of it.
     [[nodiscard]] bool hasArea() const { return scene::hasArea(light_); }
 
+    /// Around its surface, in centred space; of one with an area.
+    [[nodiscard]] trace::CentredBox box() const;
+    /// The plane of a rect, whose front shines; none: it shines to all sides.
+    [[nodiscard]] std::vector<Plane> fronts() const;
+
     /// The irradiance at a point of a surface with that unit normal, W/m^2, with nothing in between.
     [[nodiscard]] double irradiance(const dvec3& positionCentred, const dvec3& normal) const;
     /// The mean of that over a patch. Relative error 1e-7, mostly only rounding; about 1 % for a sphere that the plane of the

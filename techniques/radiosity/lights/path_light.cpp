@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/gtc/constants.hpp>
+
 #include "techniques/foundation/math/perpendicular.h"
 #include "techniques/foundation/math/radical_inverse.h"
 #include "techniques/foundation/math/random_pair.h"
@@ -27,8 +29,10 @@ dvec2 weightsAt(dvec2 square) {
 
 } // namespace
 
-PathLightBuilder::PathLightBuilder(const Room& room, const SurfaceCells& cells, const scene::Snapshot& drawn)
-    : room_(room), cells_(cells), drawn_(drawn), watts_(kPieces) {}
+bool Followed::any() const { return std::ranges::find(patches, 1) != patches.end(); }
+
+PathLightBuilder::PathLightBuilder(const Room& room, const SurfaceCells& cells, const scene::Snapshot& drawn, const Followed& followed)
+    : room_(room), cells_(cells), followed_(followed), drawn_(drawn), watts_(kPieces) {}
 
 bool PathLightBuilder::advance(std::chrono::steady_clock::time_point deadline) {
     if (!tracer_.advance(drawn_, deadline)) return false;
@@ -39,19 +43,27 @@ bool PathLightBuilder::advance(std::chrono::steady_clock::time_point deadline) {
     return nextPiece_ == kPieces;
 }
 
-/// The sides of triangles that emit, and are followed.
+/// The sides of triangles that emit, and are followed; of lights their fronts.
 void PathLightBuilder::findEmitters() {
-    const std::vector<trace::Triangle>& triangles = tracer_.bvh().triangles;
-    double sum = 0;
-    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (std::uint32_t t = 0; t < tracer_.bvh().triangles.size(); ++t)
         for (const bool isFront : {true, false}) {
             const trace::SurfacePoint middle{t, isFront, dvec2(1.0 / 3)};
-            const auto patch = patchOf(middle, cells_, tracer_);
-            if (!patch || !room_.isFollowed(*patch)) continue;
-            const Patch& of = room_.patches()[*patch];
-            const dvec3 watts = 0.5 * glm::length(trace::frontOf(triangles[t])) * room_.emissionOf(of);
-            if (luminance(watts) > 0) emitters_.push_back({middle, watts, room_.isSimplified(room_.faceOf(of).object), sum += luminance(watts)});
+            const int light = tracer_.objectOf(middle).emitterOfLight;
+            if (light >= 0) {
+                const scene::Light& source = drawn_->light(light);
+                if (isFront && followed_.lights[static_cast<std::size_t>(light)] != 0)
+                    add(middle, glm::pi<double>() * source.intensity * dvec3(source.color), false);
+            } else if (const auto patch = patchOf(middle, cells_, tracer_); patch && followed_.hasPatch(*patch)) {
+                const Patch& of = room_.patches()[*patch];
+                add(middle, room_.emissionOf(of), room_.isSimplified(room_.faceOf(of).object));
+            }
         }
+}
+
+void PathLightBuilder::add(const trace::SurfacePoint& middle, const dvec3& radiosity, bool isSimplified) {
+    const dvec3 watts = 0.5 * glm::length(trace::frontOf(tracer_.bvh().triangles[middle.primitive])) * radiosity;
+    const double before = emitters_.empty() ? 0 : emitters_.back().upTo;
+    if (luminance(watts) > 0) emitters_.push_back({middle, watts, isSimplified, before + luminance(watts)});
 }
 
 void PathLightBuilder::follow(std::size_t piece) {
@@ -72,7 +84,7 @@ void PathLightBuilder::follow(std::size_t piece) {
             const auto patch = patchOf(met, cells_, tracer_);
             if (!patch || *patch >= room_.patches().size()) break;
             if (counts) arriving[*patch] += watts;
-            if (!room_.isFollowed(*patch)) break;
+            if (!followed_.hasPatch(*patch)) break;
             // Russian roulette (J. Arvo and D. Kirk, "Particle Transport and Image Synthesis", SIGGRAPH 1990): what goes on is as bright as before.
             const dvec3 reflectance = reflectanceAt(tracer_, met);
             const double goesOn = std::max({reflectance.r, reflectance.g, reflectance.b});

@@ -22,6 +22,15 @@ double longestNear(const trace::CentredBox& emitter, const Polygon& piece) {
 
 } // namespace
 
+bool isInGap(const Patch& patch, const trace::CentredBox& body, std::span<const Plane> fronts, double reach) {
+    if (distanceBetween(boxOf(patch.polygon), body) >= std::max(reach, sizeOf(patch.polygon))) return false;
+    const double touches = kTouching * sizeOf(patch.polygon);
+    const auto isShoneAt = [&](const dvec3& place) { return std::ranges::any_of(fronts, [&](const Plane& front) { return front.height(place) > touches; }); };
+    if (!fronts.empty() && std::ranges::none_of(patch.polygon.corners(), isShoneAt)) return false;
+    const dvec3 farthest = glm::mix(body.lower, body.upper, glm::step(0.0, patch.normal)); // along the normal
+    return patch.plane().height(farthest) > touches;
+}
+
 NearEmitters::NearEmitters(const trace::SceneTracer& tracer, const Sides& sides) : tracer_(tracer), sides_(sides) {
     double glowing = 0, all = 0; // m^2, of the sides that exchange light: a loose one, such as the underside of a ground, may be very large
     for (std::size_t f = 0; f < sides.exchanging; ++f) {
@@ -74,8 +83,7 @@ std::vector<std::uint8_t> NearEmitters::followed(std::span<const Patch> patches,
         bool isFollowed = isSimplified(emitter.object);
         for (std::size_t i = 0; i < patches.size(); ++i) {
             const Patch& patch = patches[i];
-            const bool isClose = distanceBetween(boxOf(patch.polygon), emitter.box) < sizeOf(patch.polygon);
-            if (!isClose || objectOf(patch) == emitter.object || !reaches(emitter, patch)) continue;
+            if (objectOf(patch) == emitter.object || !isInGap(patch, emitter.box, emitter.planes)) continue;
             isFollowed = true;
             followed[i] = 1;
         }
@@ -84,15 +92,6 @@ std::vector<std::uint8_t> NearEmitters::followed(std::span<const Patch> patches,
     for (std::size_t i = 0; i < patches.size(); ++i)
         if (std::ranges::find(objects, objectOf(patches[i])) != objects.end()) followed[i] = 1;
     return followed;
-}
-
-/// If nothing stands between them: does it shine at a part of the patch, and lie before the patch in part?
-bool NearEmitters::reaches(const Emitter& emitter, const Patch& patch) const {
-    const double touches = kTouching * sizeOf(patch.polygon);
-    const auto isShoneAt = [&](const dvec3& place) { return std::ranges::any_of(emitter.planes, [&](const Plane& plane) { return plane.height(place) > touches; }); };
-    if (std::ranges::none_of(patch.polygon.corners(), isShoneAt)) return false;
-    const dvec3 farthest = glm::mix(emitter.box.lower, emitter.box.upper, glm::step(0.0, patch.normal)); // along the normal
-    return patch.plane().height(farthest) > touches;
 }
 
 /// From its middle or from near one of its corners.

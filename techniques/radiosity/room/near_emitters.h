@@ -15,6 +15,10 @@
 
 namespace shadowlab::radiosity {
 
+/// Does the patch lie closer to a body than it is large, or than `reach` metres, and before a part of it that shines at it, if nothing stands between them? `fronts`: the
+/// planes of what shines; none: it shines to all sides.
+bool isInGap(const Patch& patch, const trace::CentredBox& body, std::span<const Plane> fronts, double reach = 0);
+
 class NearEmitters {
 public:
     /// The arguments must outlive this object.
@@ -39,7 +43,6 @@ private:
     };
     void divide(const Patch& piece, double scale, int doublings, std::vector<FacePart>& parts) const;
     [[nodiscard]] std::uint32_t objectOf(const Patch& patch) const { return sides_.faces.all[patch.face].object; }
-    [[nodiscard]] bool reaches(const Emitter& emitter, const Patch& patch) const;
     [[nodiscard]] bool sees(const Patch& piece, const Emitter& emitter) const;
 
     const trace::SceneTracer& tracer_;

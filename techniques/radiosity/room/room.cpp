@@ -113,11 +113,9 @@ double Room::areaFactor(const Patch& patch) const {
     return areas.before / std::max(patch.area, areas.after - (folded != foldedAreas_.end() ? folded->second : 0));
 }
 
-std::vector<std::uint8_t> Room::followed() const {
-    return NearEmitters(tracer_, sides_).followed(patches_, [&](std::uint32_t object) { return isSimplified(object); });
+void Room::findFollowed() {
+    followed_ = NearEmitters(tracer_, sides_).followed(patches_, [&](std::uint32_t object) { return isSimplified(object); });
 }
-
-bool Room::followsAny() const { return std::ranges::find(isFollowed_, 1) != isFollowed_.end(); }
 
 std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements) {
     reflectances_.clear();
@@ -138,7 +136,7 @@ std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements)
     });
     allPatches_.erase(allPatches_.begin(), allPatches_.end() - static_cast<std::ptrdiff_t>(loosePatches_));
     allPatches_.insert(allPatches_.begin(), patches_.begin(), patches_.end());
-    isFollowed_ = followed();
+    findFollowed();
     return std::move(cut.from);
 }
 

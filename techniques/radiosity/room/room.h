@@ -70,9 +70,8 @@ public:
     [[nodiscard]] std::size_t coveredPatches() const { return coveredPatches_; }
     /// How many were left out because they lie in a fold that simplification made.
     [[nodiscard]] std::size_t foldedPatches() const { return foldedPatches_; }
-    /// Is light that emitters send followed along paths from that one of allPatches() (lights/path_light.h)?
-    [[nodiscard]] bool isFollowed(std::uint32_t patch) const { return patch < isFollowed_.size() && isFollowed_[patch] != 0; }
-    [[nodiscard]] bool followsAny() const;
+    /// For each of patches(), 1 if light of emitters is followed from there (near_emitters.h), else 0.
+    [[nodiscard]] const std::vector<std::uint8_t>& followed() const { return followed_; }
     /// For each of patches(), how often refinement has cut it.
     [[nodiscard]] const std::vector<std::uint8_t>& levels() const { return levels_; }
     /// Cuts some of the patches; the others stay. Returns for each patch its number before, or Refined::kNew.
@@ -102,7 +101,7 @@ private:
     void sampleSurroundings(std::size_t patch);
     [[nodiscard]] bool seesLittleOfOutside() const;
     void sampleWindows(std::size_t patch);
-    [[nodiscard]] std::vector<std::uint8_t> followed() const;
+    void findFollowed();
     enum class Phase { simplify, cut, sample, sampleWindows, done };
     void simplify();
     bool simplifiesFurther();
@@ -145,7 +144,7 @@ private:
     std::size_t nextPatch_ = 0;
     std::vector<double> surroundings_, inBodies_, folded_; ///< of each patch, shares of what leaves it
     std::size_t coveredPatches_ = 0, foldedPatches_ = 0, loosePatches_ = 0;
-    std::vector<std::uint8_t> levels_, isFollowed_; ///< of each patch
+    std::vector<std::uint8_t> levels_, followed_; ///< of each patch
     std::map<std::pair<std::uint32_t, std::size_t>, double> foldedAreas_; ///< of an object and its part: what was left out of its outside, m^2
 };
 

@@ -101,7 +101,7 @@ void Room::leaveOutCovered() {
     loosePatches_ = allPatches_.size();
     allPatches_.insert(allPatches_.begin(), patches_.begin(), patches_.end());
     levels_.assign(patches_.size(), 0);
-    isFollowed_ = followed();
+    findFollowed();
 }
 
 } // namespace shadowlab::radiosity

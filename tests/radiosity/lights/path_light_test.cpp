@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "techniques/foundation/scene/load/load.h"
 #include "techniques/radiosity/equations/light_balance.h"
 #include "techniques/radiosity/form_factors/point_form_factor.h"
 #include "techniques/radiosity/room_cache.h"
 #include "tests/radiosity/scene_room.h"
+#include "tests/support/area_lights.h"
 
 namespace shadowlab::radiosity {
 namespace {
@@ -40,6 +42,15 @@ scene::Scene roomWithPanel(double reflectance) {
 }
 constexpr std::uint32_t kWall = 4, kPanel = 6;
 
+/// A lamp in the place of the panel.
+scene::Scene roomWithLamp(double reflectance, const dvec2& size = {kWidth, kHeight}) {
+    scene::Scene scene = roomOf(reflectance, kReflected);
+    scene.lights.push_back(rectLight({kGap, 1.5, 2}, {0, 0, size.x}, {0, size.y, 0}));
+    scene.lights[0].intensity = kEmitted / glm::pi<double>();
+    scene::addEmitterSurfaces(scene);
+    return scene;
+}
+
 struct Prepared {
     explicit Prepared(scene::Scene scene, int patches, RadiosityParams::Direct direct = RadiosityParams::Direct::pixels) : snapshot(testing::snapshot(std::move(scene))) {
         params.patches = patches;
@@ -47,7 +58,7 @@ struct Prepared {
         while (!cache.advance(snapshot, params, Deadline::max())) {
         }
         sources = sourcesOf(cache.room(), cache.lights(), dvec3(0));
-        if (!cache.pathLight().empty()) takeApart(sources, cache.room(), cache.exchange(), cache.pathLight());
+        if (!cache.pathLight().empty()) takeApart(sources, cache.room(), cache.exchange(), cache.lights(), cache.followed(), cache.pathLight());
         balance.restart(cache.exchange(), sources, SolverKind::conjugateGradients);
         balance.advance({1e-6, 0}, 0, Deadline::max());
     }
@@ -103,6 +114,35 @@ TEST(PathLight, WhatGetsOutOfAGapIsItsIntegral) {
     }
 }
 
+// A lamp takes back as much; without paths it lets it pass.
+TEST(PathLight, SoItIsBehindALamp) {
+    const double truth = wattsOutOfGap();
+    for (const int patches : {150, 600}) {
+        const Prepared room(roomWithLamp(0), patches);
+        EXPECT_NEAR(wattsAtOthers(room.cache, room.balance.irradiance()) / truth, 1, 0.01) << patches;
+        const Prepared byPatches(roomWithLamp(0), patches, RadiosityParams::Direct::patches);
+        EXPECT_GT(wattsAtOthers(byPatches.cache, byPatches.balance.irradiance()) / truth, 5) << patches;
+    }
+}
+
+// Where the lamp goes elsewhere, nothing is followed any more, and back there it is as before.
+TEST(PathLight, FollowsALampThatMoves) {
+    Prepared room(roomWithLamp(0.5, {0.3, 0.3}), 600);
+    const std::vector<dvec3> before(room.cache.pathLight().begin(), room.cache.pathLight().end());
+    ASSERT_FALSE(before.empty());
+    const auto lampAt = [&](double x) {
+        scene::Light lamp = room.snapshot->lights[0];
+        lamp.positionWorld.x = x;
+        while (!room.cache.advance(scene::withLights(room.snapshot, {lamp}), room.params, Deadline::max())) {
+        }
+    };
+    lampAt(2);
+    EXPECT_FALSE(room.cache.followed().any());
+    EXPECT_TRUE(room.cache.pathLight().empty());
+    lampAt(kGap);
+    EXPECT_TRUE(std::ranges::equal(room.cache.pathLight(), before));
+}
+
 // What is emitted is absorbed, in a closed room: paths end on some patch each.
 TEST(PathLight, NothingIsLostInAClosedRoom) {
     const Prepared room(roomWithPanel(0.5), 600);
@@ -120,7 +160,7 @@ TEST(PathLight, TheSolutionSolvesTheEquations) {
     std::size_t apart = 0;
     for (std::size_t i = 0; i < room.cache.room().patches().size(); ++i) {
         EXPECT_NEAR(room.balance.radiosity()[i].x, room.sources.emission[i].x + room.sources.reflectance[i].x * arriving[i].x, 1e-3);
-        if (room.cache.room().isFollowed(static_cast<std::uint32_t>(i))) {
+        if (room.cache.isFollowed(i)) {
             ++apart;
             EXPECT_GE(room.balance.radiosity()[i].x, exchanged[i].x);
         } else {
@@ -135,7 +175,7 @@ TEST(PathLight, InTheMiddleOfARoomNothingIsFollowed) {
     scene::Scene scene = roomWithPanel(0.5);
     scene.objects[kPanel].worldFromObject = glm::rotate(translation({2, 1.5, 2}), glm::radians(90.0), dvec3(0, 0, 1));
     const Prepared room(std::move(scene), 600);
-    EXPECT_FALSE(room.cache.room().followsAny());
+    EXPECT_FALSE(room.cache.followed().any());
     EXPECT_TRUE(room.cache.pathLight().empty());
 }
 
