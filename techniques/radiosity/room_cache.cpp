@@ -94,7 +94,7 @@ void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& p
     followed_ = {};
     followedLights_.clear();
     pathBuilder_.reset();
-    pathLight_.clear();
+    pathLight_ = {};
     cells_.reset();
     spheres_.clear();
     room_ = std::make_unique<Room>(*roomSnapshot_, key_.settings, eye);
@@ -263,7 +263,7 @@ bool RoomCache::advancePathLight(Deadline deadline) {
         if (now != followed_ || lights != followedLights_) {
             followed_ = std::move(now);
             followedLights_ = std::move(lights);
-            pathLight_.clear();
+            pathLight_ = {};
             pathBuilder_ = followed_.any() ? std::make_unique<PathLightBuilder>(*room_, *cells_, snapshot_, followed_) : nullptr;
         }
         isFollowedKnown_ = true;

@@ -49,9 +49,9 @@ public:
     [[nodiscard]] const DirectLight& light(int light) const { return *lights_[static_cast<std::size_t>(light)].found; }
     [[nodiscard]] const LightSource& source(int light) const { return *lights_[static_cast<std::size_t>(light)].source; }
     [[nodiscard]] std::vector<const DirectLight*> lights() const;
-    /// What light brings to each patch that is followed along paths (lights/path_light.h), W/m^2; empty where there is none, or the picture does not show
+    /// What light brings that is followed along paths; empty where there is none, or the picture does not show
     /// direct light by pixels.
-    [[nodiscard]] std::span<const dvec3> pathLight() const { return pathLight_; }
+    [[nodiscard]] const PathLight& pathLight() const { return pathLight_; }
     [[nodiscard]] const Followed& followed() const { return followed_; }
     [[nodiscard]] bool isFollowed(std::size_t patch) const { return followed_.hasPatch(patch); }
     /// Changes whenever the room or its form factors are recomputed.
@@ -123,7 +123,7 @@ private:
     std::vector<scene::Light> followedLights_; ///< as they were when their light was followed
     bool isFollowedKnown_ = false;             ///< false: something has changed since
     std::unique_ptr<PathLightBuilder> pathBuilder_;
-    std::vector<dvec3> pathLight_;
+    PathLight pathLight_;
     std::uint64_t version_ = 0;
 };
 

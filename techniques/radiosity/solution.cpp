@@ -42,14 +42,14 @@ bool Solution::advanceDrawnFormFactors(const RadiosityParams& params, Deadline d
 void Solution::restartIfChanged(const scene::Snapshot& snapshot, const RadiosityParams& params) {
     const SolutionCacheKey key{cache_.version(),   snapshot->revisions, params.solver,
                                params.tolerance,   params.steps,        params.stepsPerPicture,
-                               params.ambientTerm, !cache_.pathLight().empty(), params.surroundings};
+                               params.ambientTerm, !cache_.pathLight().isEmpty(), params.surroundings};
     if (key == solutionKey_) return;
     if (key.room != solutionKey_.room) openings_ = Openings(cache_.room());
     solutionKey_ = key;
     sources_ = sourcesOf(cache_.room(), cache_.lights(), radianceOutside(*snapshot, params));
     for (std::size_t i = 0; i < sources_.size(); ++i)
         sources_.reflectance[i] *= 1 - coveredByLamps(cache_.room().allPatches()[i], snapshot->lights, cache_.room().world().originWorld);
-    if (key.hasPathLight) takeApart(sources_, cache_.room(), cache_.exchange(), cache_.lights(), cache_.followed(), cache_.pathLight());
+    if (key.hasPathLight) takeApart(sources_, cache_.room(), cache_.exchange(), cache_.lights(), cache_.followed(), cache_.pathLight().irradiance);
     balance_.restart(cache_.exchange(), sources_, params.solver, params.ambientTerm);
 }
 

@@ -32,8 +32,9 @@ public:
         const auto patch = patchOf(point, solution_.cache.cells(), tracer_);
         if (!patch) return {}; // the inside of a closed body: dark
         const Room& room = solution_.cache.room();
-        const dvec3 emission = room.emissionOf(room.allPatches()[*patch]), reflectance = reflectanceAt(tracer_, point), mean = solution_.reflectedIrradiance[*patch];
-        dvec3 irradiance = goesOn(*patch, distance, reflections) ? onward(point, *patch, reflections, solution_.cache.isFollowed(*patch) ? shareOf(reflectance * mean, emission) : 1) : mean;
+        const dvec3 emission = room.emissionOf(room.allPatches()[*patch]), reflectance = reflectanceAt(tracer_, point);
+        dvec3 irradiance = !goesOn(*patch, distance, reflections) ? reflectedAt(point, *patch)
+                                                                   : onward(point, *patch, reflections, chance(reflectance, emission, *patch));
         for (int i = 0; i < static_cast<int>(tracer_.scene().lights.size()); ++i) {
             const scene::Light& source = tracer_.scene().light(i);
             if (scene::hasArea(source))
@@ -45,23 +46,34 @@ public:
     }
 
 private:
-    /// Close to an emitter the patch's mean is always wrong. Simplified: elsewhere, where openings bring much of the light, only rays sent to them on
-    /// purpose find it without noise, and the patch's mean is kept.
+    /// Simplified: where openings bring much of the light, only rays sent to them on purpose find it without noise, and the patch's mean is kept.
     [[nodiscard]] bool goesOn(std::uint32_t patch, double distance, int reflections) const {
-        if (solution_.cache.isFollowed(patch)) return reflections < kMostReflections;
+        if (isInGapWithoutCells(patch)) return reflections < kMostReflections;
         return reflections < kMostReflections && solution_.openings.isEmpty() &&
                distance * distance < kNear * kNear * solution_.cache.room().allPatches()[patch].area;
     }
 
-    /// The share of what a surface sends that it reflects, which goes on so often: rays that end on a lamp need not be twice as many for the little that it reflects.
-    [[nodiscard]] static double shareOf(const dvec3& reflected, const dvec3& emission) {
-        constexpr double kLeast = 0.05; // the mean may be too small
-        const double of = luminance(reflected), emitted = luminance(emission);
-        return emitted > 0 ? std::max(kLeast, of / (of + emitted)) : 1;
+    /// The irradiance by other surfaces, W/m^2: the patch's mean, and of what is followed along paths that of the place.
+    [[nodiscard]] dvec3 reflectedAt(const trace::SurfacePoint& point, std::uint32_t patch) const {
+        const dvec3 mean = solution_.reflectedIrradiance[patch];
+        const auto ofPlace = solution_.cache.pathLight().at(patch, tracer_.positionWorld(point) - solution_.cache.room().world().originWorld);
+        return ofPlace ? glm::max(dvec3(0), mean - solution_.sources.byPaths[patch]) + *ofPlace : mean;
     }
 
-    /// The irradiance by other surfaces, W/m^2, as one ray finds it that goes on with that chance: where light comes from few patches, in half of all cases a ray to a
-    /// point of them.
+    /// Of a mesh that was simplified, patches in a gap know nothing of the place, and what faces the gap is far brighter than what does not.
+    [[nodiscard]] bool isInGapWithoutCells(std::uint32_t patch) const {
+        return solution_.cache.isFollowed(patch) && !solution_.cache.pathLight().hasCells(patch);
+    }
+
+    /// How often a ray goes on from there: always, but on a lamp, of which most is its own light, as often as the share that it reflects. A picture with a ball that glows
+    /// would take half as long again for the little that it reflects.
+    [[nodiscard]] double chance(const dvec3& reflectance, const dvec3& emission, std::uint32_t patch) const {
+        constexpr double kLeast = 0.05; // the mean may be too small
+        const double reflected = luminance(reflectance * solution_.reflectedIrradiance[patch]), emitted = luminance(emission);
+        return emitted > 0 && isInGapWithoutCells(patch) ? std::max(kLeast, reflected / (reflected + emitted)) : 1;
+    }
+
+    /// The same as one ray finds it that goes on with that chance: where light comes from few patches, in half of all cases a ray to a point of them.
     [[nodiscard]] dvec3 onward(const trace::SurfacePoint& point, std::uint32_t patch, int reflections, double chance) const {
         const double which = numbers_.onwardWhich(reflections) / chance;
         return which < 1 ? irradianceBy(which, point, patch, reflections) / chance : dvec3(0);

@@ -19,7 +19,14 @@ namespace {
 
 // So many paths leave all emitters together. If a fifth of them gets out of a gap, that is some two hundred for each of 600 patches: each of these is right to
 // some hundredths, and what all of them send on to some thousandths.
-constexpr int kPieces = 256, kPathsInPiece = 2048, kPaths = kPieces * kPathsInPiece;
+constexpr int kPieces = 128, kPathsInPiece = 4096, kPaths = kPieces * kPathsInPiece;
+
+// So many pieces are done before what they found is added up: each has a list of its own.
+constexpr std::size_t kTogether = 8;
+
+// Cells are so many in all that a dozen paths meet each; of one patch no more than lets them be some millimetres wide.
+constexpr double kCells = 1e5;
+constexpr std::size_t kMostOnSide = 48, kLeastOnSide = 4;
 
 /// Uniform in the triangle: the unit square, folded along its diagonal.
 dvec2 weightsAt(dvec2 square) {
@@ -32,15 +39,24 @@ dvec2 weightsAt(dvec2 square) {
 bool Followed::any() const { return std::ranges::find(patches, 1) != patches.end(); }
 
 PathLightBuilder::PathLightBuilder(const Room& room, const SurfaceCells& cells, const scene::Snapshot& drawn, const Followed& followed)
-    : room_(room), cells_(cells), followed_(followed), drawn_(drawn), watts_(kPieces) {}
+    : room_(room), cells_(cells), followed_(followed), drawn_(drawn), pieces_(kPieces) {}
 
 bool PathLightBuilder::advance(std::chrono::steady_clock::time_point deadline) {
     if (!tracer_.advance(drawn_, deadline)) return false;
-    if (!hasEmitters_) findEmitters();
-    hasEmitters_ = true;
-    if (emitters_.empty()) return true;
-    nextPiece_ = trace::parallelUntil(deadline, nextPiece_, kPieces, [&](std::size_t piece) { follow(piece); });
-    return nextPiece_ == kPieces;
+    if (!hasEmitters_) {
+        findEmitters();
+        prepareCells();
+        hasEmitters_ = true;
+    }
+    if (emitters_.empty()) nextPiece_ = kPieces;
+    while (nextPiece_ < kPieces) {
+        const std::size_t first = nextPiece_, end = std::min(first + kTogether, std::size_t{kPieces});
+        nextPiece_ = trace::parallelUntil(deadline, first, end, [&](std::size_t piece) { follow(piece); });
+        for (std::size_t piece = first; piece < nextPiece_; ++piece)
+            merge(piece);
+        if (nextPiece_ < end) return false;
+    }
+    return true;
 }
 
 /// The sides of triangles that emit, and are followed; of lights their fronts.
@@ -52,23 +68,40 @@ void PathLightBuilder::findEmitters() {
             if (light >= 0) {
                 const scene::Light& source = drawn_->light(light);
                 if (isFront && followed_.lights[static_cast<std::size_t>(light)] != 0)
-                    add(middle, glm::pi<double>() * source.intensity * dvec3(source.color), false);
+                    add(middle, glm::pi<double>() * source.intensity * dvec3(source.color), false, true);
             } else if (const auto patch = patchOf(middle, cells_, tracer_); patch && followed_.hasPatch(*patch)) {
                 const Patch& of = room_.patches()[*patch];
-                add(middle, room_.emissionOf(of), room_.isSimplified(room_.faceOf(of).object));
+                add(middle, room_.emissionOf(of), room_.isSimplified(room_.faceOf(of).object), false);
             }
         }
 }
 
-void PathLightBuilder::add(const trace::SurfacePoint& middle, const dvec3& radiosity, bool isSimplified) {
+void PathLightBuilder::add(const trace::SurfacePoint& middle, const dvec3& radiosity, bool isSimplified, bool isLight) {
     const dvec3 watts = 0.5 * glm::length(trace::frontOf(tracer_.bvh().triangles[middle.primitive])) * radiosity;
     const double before = emitters_.empty() ? 0 : emitters_.back().upTo;
-    if (luminance(watts) > 0) emitters_.push_back({middle, watts, isSimplified, before + luminance(watts)});
+    if (luminance(watts) > 0) emitters_.push_back({middle, watts, isSimplified, isLight, before + luminance(watts)});
+}
+
+void PathLightBuilder::prepareCells() {
+    const std::vector<Patch>& patches = room_.patches();
+    const auto followed = static_cast<double>(std::ranges::count(followed_.patches, 1));
+    const auto side = std::clamp(static_cast<std::size_t>(std::sqrt(kCells / std::max(followed, 1.0))), kLeastOnSide, kMostOnSide);
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        const bool hasCells = followed_.hasPatch(i) && !room_.isSimplified(room_.faceOf(patches[i]).object);
+        found_.cells.push_back(hasCells ? FineCells(patches[i], side) : FineCells());
+        found_.firstCell.push_back(count);
+        count += static_cast<std::uint32_t>(found_.cells.back().count());
+    }
+    found_.irradiance.resize(patches.size());
+    found_.ofCells.resize(count);
 }
 
 void PathLightBuilder::follow(std::size_t piece) {
-    std::vector<dvec3>& arriving = watts_[piece];
-    arriving.resize(room_.patches().size());
+    Arriving& arriving = pieces_[piece];
+    arriving.atPatches.resize(room_.patches().size());
+    arriving.atCells.resize(found_.ofCells.size());
+    const dvec3 roomFromDrawn = tracer_.world().originWorld - room_.world().originWorld;
     for (int i = 0; i < kPathsInPiece; ++i) {
         const int path = static_cast<int>(piece) * kPathsInPiece + i;
         const double which = (path + 0.5) / kPaths * emitters_.back().upTo;
@@ -77,14 +110,17 @@ void PathLightBuilder::follow(std::size_t piece) {
         trace::SurfacePoint from{emitter.middle.primitive, emitter.middle.eyeOnFront, weightsAt({radicalInverse(path, 2), radicalInverse(path, 3)})};
         dvec2 unit{radicalInverse(path, 5), radicalInverse(path, 7)};
         std::uint64_t key = static_cast<std::uint64_t>(path) << 32u;
-        for (bool counts = emitter.isSimplified;; counts = true) {
+        for (bool isReflected = false;; isReflected = true) {
             const dvec3 normal = geometricNormal(tracer_, from), tangent = perpendicularTo(normal);
             const trace::SurfacePoint met = tracer_.nextPoint(from, cosineDirection({tangent, glm::cross(normal, tangent)}, normal, unit));
             if (!met || tracer_.objectOf(met).emitterOfLight >= 0) break;
             const auto patch = patchOf(met, cells_, tracer_);
             if (!patch || *patch >= room_.patches().size()) break;
-            if (counts) arriving[*patch] += watts;
+            if (isReflected || emitter.isSimplified) arriving.atPatches[*patch] += watts;
             if (!followed_.hasPatch(*patch)) break;
+            const FineCells& cells = found_.cells[*patch];
+            if (!cells.isEmpty() && (isReflected || !emitter.isLight))
+                arriving.atCells[found_.firstCell[*patch] + cells.at(tracer_.positionCentred(met) + roomFromDrawn)] += vec3(watts);
             // Russian roulette (J. Arvo and D. Kirk, "Particle Transport and Image Synthesis", SIGGRAPH 1990): what goes on is as bright as before.
             const dvec3 reflectance = reflectanceAt(tracer_, met);
             const double goesOn = std::max({reflectance.r, reflectance.g, reflectance.b});
@@ -96,14 +132,31 @@ void PathLightBuilder::follow(std::size_t piece) {
     }
 }
 
-std::vector<dvec3> PathLightBuilder::take() const {
-    std::vector<dvec3> irradiance(room_.patches().size());
-    for (const std::vector<dvec3>& ofPiece : watts_)
-        for (std::size_t i = 0; i < ofPiece.size(); ++i)
-            irradiance[i] += ofPiece[i];
-    for (std::size_t i = 0; i < irradiance.size(); ++i)
-        irradiance[i] /= room_.patches()[i].area * room_.areaFactor(room_.patches()[i]);
-    return irradiance;
+/// Always in the same order, so that sums are the same to the last bit.
+void PathLightBuilder::merge(std::size_t piece) {
+    const Arriving arriving = std::move(pieces_[piece]);
+    for (std::size_t i = 0; i < found_.irradiance.size(); ++i)
+        found_.irradiance[i] += arriving.atPatches[i];
+    for (std::size_t c = 0; c < found_.ofCells.size(); ++c)
+        found_.ofCells[c] += arriving.atCells[c];
+}
+
+PathLight PathLightBuilder::take() {
+    for (std::size_t i = 0; i < found_.irradiance.size(); ++i) {
+        const Patch& patch = room_.patches()[i];
+        found_.irradiance[i] /= patch.area * room_.areaFactor(patch);
+        const std::vector<double> areas = found_.cells[i].areas(patch);
+        for (std::size_t c = 0; c < areas.size(); ++c) {
+            vec3& ofCell = found_.ofCells[found_.firstCell[i] + c];
+            ofCell = areas[c] > 0 ? vec3(dvec3(ofCell) / areas[c]) : vec3(0);
+        }
+    }
+    return std::move(found_);
+}
+
+std::optional<dvec3> PathLight::at(std::uint32_t patch, const dvec3& positionCentred) const {
+    if (!hasCells(patch)) return std::nullopt;
+    return dvec3(ofCells[firstCell[patch] + cells[patch].at(positionCentred)]);
 }
 
 } // namespace shadowlab::radiosity

@@ -5,14 +5,16 @@
 // the room would be a tenth too bright. A lamp takes back as much, which in the equations passes through it. And a ring that has been simplified to a few dozen triangles shines more to one side than it should. So what such an emitter
 // sends is followed until it meets a patch that is neither close to it nor its own (S. N. Pattanaik and S. P. Mudur, "Computation of Global Illumination by Monte
 // Carlo Simulation of the Particle Model of Light", Eurographics Workshop on Rendering 1992). There it is irradiance, as direct light is, and the equations have
-// the rest.
+// the rest. Patches in the gap are cut into many small cells, which remember what arrived: a gather ray that ends there finds the light of that place.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>
+#include <optional>
 #include <vector>
 
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "techniques/radiosity/display/surface_cells.h"
+#include "techniques/radiosity/patches/fine_cells.h"
 #include "techniques/radiosity/room/room.h"
 
 namespace shadowlab::radiosity {
@@ -25,6 +27,23 @@ struct Followed {
     friend bool operator==(const Followed&, const Followed&) = default;
 };
 
+/// What light that is followed brings, W/m^2.
+struct PathLight {
+    /// To each of Room::patches(), by light that was reflected at least once, and only by patches that are followed; and by that which comes
+    /// straight from emitters with simplified meshes. (What comes straight from others, form factors know without noise, and what comes straight from lights is direct light.)
+    std::vector<dvec3> irradiance;
+    /// For each of the same the first of its cells, and for each cell all that the emitters and what they light beside them bring there, but for what comes straight from
+    /// lights. Only patches have cells that are followed and lie on the surface that is drawn.
+    std::vector<FineCells> cells;
+    std::vector<std::uint32_t> firstCell;
+    std::vector<vec3> ofCells;
+
+    [[nodiscard]] bool isEmpty() const { return irradiance.empty(); }
+    [[nodiscard]] bool hasCells(std::uint32_t patch) const { return patch < cells.size() && !cells[patch].isEmpty(); }
+    /// At that point of the patch, if it has cells.
+    [[nodiscard]] std::optional<dvec3> at(std::uint32_t patch, const dvec3& positionCentred) const;
+};
+
 class PathLightBuilder {
 public:
     /// All must outlive this object. `drawn`: the scene as it is drawn, to which the cells belong.
@@ -33,21 +52,21 @@ public:
     /// Continues until all is done (true) or the deadline has passed, but always does some work. The numbers do not depend on deadlines or on the number
     /// of threads.
     bool advance(std::chrono::steady_clock::time_point deadline);
-    /// The irradiance of each of Room::patches(), W/m^2, by light that was reflected at least once, and only by patches that are followed; and by that which comes
-    /// straight from emitters with simplified meshes. (What comes straight from others, form factors know without noise, and what comes straight from lights is direct light.)
-    [[nodiscard]] std::vector<dvec3> take() const;
+    [[nodiscard]] PathLight take();
 
 private:
     /// A side of a triangle.
     struct Emitter {
         trace::SurfacePoint middle;
         dvec3 watts{0.0};
-        bool isSimplified = false;
+        bool isSimplified = false, isLight = false;
         double upTo = 0; ///< the luminance of what it and those before it send, W
     };
     void findEmitters();
-    void add(const trace::SurfacePoint& middle, const dvec3& radiosity, bool isSimplified);
+    void add(const trace::SurfacePoint& middle, const dvec3& radiosity, bool isSimplified, bool isLight);
+    void prepareCells();
     void follow(std::size_t piece);
+    void merge(std::size_t piece);
 
     const Room& room_;
     const SurfaceCells& cells_;
@@ -56,7 +75,13 @@ private:
     trace::SceneTracer tracer_;
     bool hasEmitters_ = false;
     std::vector<Emitter> emitters_;
-    std::vector<std::vector<dvec3>> watts_; ///< what arrives at each patch, by pieces of the work
+    /// What a piece of the work has found, W: at patches, and at cells.
+    struct Arriving {
+        std::vector<dvec3> atPatches;
+        std::vector<vec3> atCells;
+    };
+    std::vector<Arriving> pieces_;
+    PathLight found_; ///< in watts until it is taken
     std::size_t nextPiece_ = 0;
 };
 

@@ -44,6 +44,8 @@ public:
         while (!cache_.advance(snapshot_, params, Deadline::max())) {
         }
         sources_ = sourcesOf(cache_.room(), cache_.lights(), dvec3(0));
+        const PathLight& paths = cache_.pathLight();
+        if (!paths.isEmpty()) takeApart(sources_, cache_.room(), cache_.exchange(), cache_.lights(), cache_.followed(), paths.irradiance);
         balance_.restart(cache_.exchange(), sources_, SolverKind::conjugateGradients);
         balance_.advance({1e-6, 0}, 0, Deadline::max());
         reflected_ = balance_.irradianceShown();

@@ -10,6 +10,7 @@
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/radiosity/equations/light_balance.h"
 #include "techniques/radiosity/form_factors/point_form_factor.h"
+#include "techniques/radiosity/patches/polygon_samples.h"
 #include "techniques/radiosity/room_cache.h"
 #include "tests/radiosity/scene_room.h"
 #include "tests/support/area_lights.h"
@@ -58,7 +59,7 @@ struct Prepared {
         while (!cache.advance(snapshot, params, Deadline::max())) {
         }
         sources = sourcesOf(cache.room(), cache.lights(), dvec3(0));
-        if (!cache.pathLight().empty()) takeApart(sources, cache.room(), cache.exchange(), cache.lights(), cache.followed(), cache.pathLight());
+        if (!cache.pathLight().isEmpty()) takeApart(sources, cache.room(), cache.exchange(), cache.lights(), cache.followed(), cache.pathLight().irradiance);
         balance.restart(cache.exchange(), sources, SolverKind::conjugateGradients);
         balance.advance({1e-6, 0}, 0, Deadline::max());
     }
@@ -69,10 +70,14 @@ struct Prepared {
     LightBalance balance;
 };
 
+/// About its middle, in a space of which x is the panel's own.
+Polygon shiningPanel() {
+    return {dvec3(0, -kHeight / 2, -kWidth / 2), dvec3(0, -kHeight / 2, kWidth / 2), dvec3(0, kHeight / 2, kWidth / 2), dvec3(0, kHeight / 2, -kWidth / 2)};
+}
+
 /// What gets out of the gap after one reflection, W. The wall sends rho E, and of that the panel takes back what it sends to the wall itself, E / M (reciprocity).
 double wattsOutOfGap() {
-    const Polygon panel{dvec3(0, -kHeight / 2, -kWidth / 2), dvec3(0, kHeight / 2, -kWidth / 2), dvec3(0, kHeight / 2, kWidth / 2), dvec3(0, -kHeight / 2, kWidth / 2)};
-    const Polygon shining = glm::dot(areaVector(panel), dvec3(-1, 0, 0)) > 0 ? panel : Polygon{panel[3], panel[2], panel[1], panel[0]};
+    const Polygon shining = shiningPanel();
     constexpr int kCells = 400;
     constexpr double kHalf = 1.5, kCell = 2 * kHalf / kCells; // beyond it E is less than a ten-thousandth of M
     double watts = 0;
@@ -105,13 +110,43 @@ TEST(PathLight, WhatGetsOutOfAGapIsItsIntegral) {
     EXPECT_GT(truth, 0.1);
     for (const int patches : {150, 600}) {
         const Prepared room(roomWithPanel(0), patches);
-        ASSERT_FALSE(room.cache.pathLight().empty());
+        ASSERT_FALSE(room.cache.pathLight().isEmpty());
         // The other surfaces reflect nothing, so all that reaches them comes by way of the wall; a little of it from patches that are not close to the panel.
         EXPECT_NEAR(wattsAtOthers(room.cache, room.balance.irradiance()) / truth, 1, 0.01) << patches;
         const Prepared byPatches(roomWithPanel(0), patches, RadiosityParams::Direct::patches);
-        EXPECT_TRUE(byPatches.cache.pathLight().empty());
+        EXPECT_TRUE(byPatches.cache.pathLight().isEmpty());
         EXPECT_GT(wattsAtOthers(byPatches.cache, byPatches.balance.irradiance()) / truth, 1.05) << patches << ": it is 1.18 with 150 patches, and 1.08 with 600";
     }
+}
+
+// What the wall gets straight from the panel is a closed form at each of its points. A cell is met by some ten paths; a sixteenth of a patch has many cells.
+TEST(PathLight, CellsKnowHowMuchArrivesWhere) {
+    constexpr int kBlocks = 4, kPoints = 12; // on a side
+    const Prepared room(roomWithPanel(0), 600);
+    const Polygon shining = shiningPanel();
+    const PathLight& paths = room.cache.pathLight();
+    const dvec3 roomFromPanel = dvec3(kGap, 1.5, 2) - room.cache.room().world().originWorld;
+    double ofCells = 0, ofMeans = 0, sum = 0;
+    int compared = 0;
+    for (std::uint32_t i = 0; i < room.cache.room().patches().size(); ++i) {
+        const Patch& patch = room.cache.room().patches()[i];
+        if (room.cache.room().faceOf(patch).object != kWall || !paths.hasCells(i)) continue;
+        for (int block = 0; block < kBlocks * kBlocks; ++block, ++compared) {
+            double found = 0, truth = 0;
+            for (int p = 0; p < kPoints * kPoints; ++p) {
+                const dvec2 in = dvec2(block % kBlocks, block / kBlocks) + (dvec2(p % kPoints, p / kPoints) + 0.5) / double{kPoints};
+                const dvec3 at = evenPlaceIn(patch.polygon, in.x / kBlocks, in.y / kBlocks), fromPanel = at - roomFromPanel;
+                found += paths.at(i, at)->x;
+                truth += kEmitted * pointFormFactor({-kGap, fromPanel.y, fromPanel.z}, {1, 0, 0}, shining);
+            }
+            ofCells += std::abs(found - truth);
+            ofMeans += std::abs(kPoints * kPoints * room.sources.byPaths[i].x - truth);
+            sum += truth;
+        }
+    }
+    EXPECT_GT(compared, 500);
+    EXPECT_LT(ofCells / sum, 0.06) << "it is 0.033: some ten cells of ten paths each";
+    EXPECT_GT(ofMeans / sum, 0.08) << "it is 0.105: the case is too easy";
 }
 
 // A lamp takes back as much; without paths it lets it pass.
@@ -128,7 +163,7 @@ TEST(PathLight, SoItIsBehindALamp) {
 // Where the lamp goes elsewhere, nothing is followed any more, and back there it is as before.
 TEST(PathLight, FollowsALampThatMoves) {
     Prepared room(roomWithLamp(0.5, {0.3, 0.3}), 600);
-    const std::vector<dvec3> before(room.cache.pathLight().begin(), room.cache.pathLight().end());
+    const std::vector<dvec3> before = room.cache.pathLight().irradiance;
     ASSERT_FALSE(before.empty());
     const auto lampAt = [&](double x) {
         scene::Light lamp = room.snapshot->lights[0];
@@ -138,15 +173,15 @@ TEST(PathLight, FollowsALampThatMoves) {
     };
     lampAt(2);
     EXPECT_FALSE(room.cache.followed().any());
-    EXPECT_TRUE(room.cache.pathLight().empty());
+    EXPECT_TRUE(room.cache.pathLight().isEmpty());
     lampAt(kGap);
-    EXPECT_TRUE(std::ranges::equal(room.cache.pathLight(), before));
+    EXPECT_TRUE(std::ranges::equal(room.cache.pathLight().irradiance, before));
 }
 
 // What is emitted is absorbed, in a closed room: paths end on some patch each.
 TEST(PathLight, NothingIsLostInAClosedRoom) {
     const Prepared room(roomWithPanel(0.5), 600);
-    ASSERT_FALSE(room.cache.pathLight().empty());
+    ASSERT_FALSE(room.cache.pathLight().isEmpty());
     const EnergyBalance& energy = room.balance.energy();
     EXPECT_NEAR(energy.emitted.x, kEmitted * kWidth * kHeight, 1e-6);
     EXPECT_NEAR(energy.closedResidual().x, 0, 0.01);
@@ -176,7 +211,7 @@ TEST(PathLight, InTheMiddleOfARoomNothingIsFollowed) {
     scene.objects[kPanel].worldFromObject = glm::rotate(translation({2, 1.5, 2}), glm::radians(90.0), dvec3(0, 0, 1));
     const Prepared room(std::move(scene), 600);
     EXPECT_FALSE(room.cache.followed().any());
-    EXPECT_TRUE(room.cache.pathLight().empty());
+    EXPECT_TRUE(room.cache.pathLight().isEmpty());
 }
 
 /// Irradiance at the middle of the wall that the axis of a ring meets, W/m^2: the form factors of all triangles that face it. None hides another from there.
