@@ -235,7 +235,7 @@ bool RoomCache::advanceLights(Deadline deadline) {
 
 /// Patches closer to a lamp than half its size are in a gap as well: up to a third of what they reflect comes back to it, and the equations let that pass. Not before a lamp
 /// that lies on a surface: there they have it as the surface's, which reflects nothing where it is covered.
-Followed RoomCache::found() const {
+Followed RoomCache::lightToFollow() const {
     constexpr double kOfLamp = 0.5;
     if (!params_.showsPixels()) return {};
     const std::vector<Patch>& patches = room_->patches();
@@ -256,7 +256,7 @@ Followed RoomCache::found() const {
 
 bool RoomCache::advancePathLight(Deadline deadline) {
     if (!isFollowedKnown_) {
-        Followed now = found();
+        Followed now = lightToFollow();
         std::vector<scene::Light> lights;
         for (std::size_t l = 0; l < now.lights.size(); ++l)
             if (now.lights[l] != 0) lights.push_back(snapshot_->lights[l]);

@@ -85,7 +85,7 @@ private:
     bool refineOnce();
     bool findFormFactors(const RadiosityParams& params, Deadline deadline);
     bool advanceLights(Deadline deadline);
-    [[nodiscard]] Followed found() const;
+    [[nodiscard]] Followed lightToFollow() const;
     bool advancePathLight(Deadline deadline);
 
     scene::Snapshot snapshot_, roomSnapshot_; ///< as it is now, and as it was when the room was built

@@ -34,7 +34,7 @@ public:
         const Room& room = solution_.cache.room();
         const dvec3 emission = room.emissionOf(room.allPatches()[*patch]), reflectance = reflectanceAt(tracer_, point);
         dvec3 irradiance = !goesOn(*patch, distance, reflections) ? reflectedAt(point, *patch)
-                                                                   : onward(point, *patch, reflections, chance(reflectance, emission, *patch));
+                                                                   : onward(point, *patch, reflections, chanceToGoOn(reflectance, emission, *patch));
         for (int i = 0; i < static_cast<int>(tracer_.scene().lights.size()); ++i) {
             const scene::Light& source = tracer_.scene().light(i);
             if (scene::hasArea(source))
@@ -48,16 +48,18 @@ public:
 private:
     /// Simplified: where openings bring much of the light, only rays sent to them on purpose find it without noise, and the patch's mean is kept.
     [[nodiscard]] bool goesOn(std::uint32_t patch, double distance, int reflections) const {
-        if (isInGapWithoutCells(patch)) return reflections < kMostReflections;
-        return reflections < kMostReflections && solution_.openings.isEmpty() &&
-               distance * distance < kNear * kNear * solution_.cache.room().allPatches()[patch].area;
+        if (reflections == kMostReflections) return false;
+        const bool isNear = distance * distance < kNear * kNear * solution_.cache.room().allPatches()[patch].area;
+        return isInGapWithoutCells(patch) || (isNear && solution_.openings.isEmpty());
     }
 
     /// The irradiance by other surfaces, W/m^2: the patch's mean, and of what is followed along paths that of the place.
     [[nodiscard]] dvec3 reflectedAt(const trace::SurfacePoint& point, std::uint32_t patch) const {
         const dvec3 mean = solution_.reflectedIrradiance[patch];
-        const auto ofPlace = solution_.cache.pathLight().at(patch, tracer_.positionWorld(point) - solution_.cache.room().world().originWorld);
-        return ofPlace ? glm::max(dvec3(0), mean - solution_.sources.byPaths[patch]) + *ofPlace : mean;
+        const PathLight& paths = solution_.cache.pathLight();
+        if (!paths.hasCells(patch)) return mean;
+        const dvec3 at = tracer_.positionWorld(point) - solution_.cache.room().world().originWorld;
+        return glm::max(dvec3(0), mean - solution_.sources.byPaths[patch]) + paths.at(patch, at);
     }
 
     /// Of a mesh that was simplified, patches in a gap know nothing of the place, and what faces the gap is far brighter than what does not.
@@ -67,10 +69,11 @@ private:
 
     /// How often a ray goes on from there: always, but on a lamp, of which most is its own light, as often as the share that it reflects. A picture with a ball that glows
     /// would take half as long again for the little that it reflects.
-    [[nodiscard]] double chance(const dvec3& reflectance, const dvec3& emission, std::uint32_t patch) const {
+    [[nodiscard]] double chanceToGoOn(const dvec3& reflectance, const dvec3& emission, std::uint32_t patch) const {
         constexpr double kLeast = 0.05; // the mean may be too small
-        const double reflected = luminance(reflectance * solution_.reflectedIrradiance[patch]), emitted = luminance(emission);
-        return emitted > 0 && isInGapWithoutCells(patch) ? std::max(kLeast, reflected / (reflected + emitted)) : 1;
+        if (emission == dvec3(0) || !isInGapWithoutCells(patch)) return 1;
+        const double reflected = luminance(reflectance * solution_.reflectedIrradiance[patch]);
+        return std::max(kLeast, reflected / (reflected + luminance(emission)));
     }
 
     /// The same as one ray finds it that goes on with that chance: where light comes from few patches, in half of all cases a ray to a point of them.

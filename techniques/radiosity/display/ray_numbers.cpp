@@ -18,7 +18,7 @@ const dvec2 kOnLightStep{std::sqrt(5.0), std::sqrt(7.0)};
 // Each is shifted by an amount of its own, or the mean over all shifts would not be that over the cube: it was up to a hundredth off. Sums of large whole multiples of
 // a sequence's two shifts go with neither of them, nor with each other. They are primes, so that no two have a common part; those of later reflections are so
 // many times as large.
-constexpr double kLater = 67;
+constexpr std::array<double, kMostReflections + 1> kLater = {1, 67, 67 * 67, 67 * 67 * 67, 67 * 67 * 67 * 67};
 constexpr dvec2 kWhich{1297, 733}, kOnLight{2357, 1033};
 constexpr std::array<dvec2, 2> kWhere = {dvec2(1613, 421), dvec2(977, 1889)}, kOnward = {dvec2(601, 2069), dvec2(1427, 839)};
 
@@ -34,10 +34,10 @@ double RayNumbers::which() const { return shifted(kGolden * number_, shift_, kWh
 dvec2 RayNumbers::where() const { return shifted(number_ * kDirectionStep, shift_, kWhere); }
 dvec2 RayNumbers::onLight() const { return shifted(number_ * kOnLightStep, shift_, {kOnLight, dvec2(kOnLight.y, kOnLight.x)}); }
 dvec2 RayNumbers::onward(int reflection) const {
-    return shifted(number_ * kOnwardSteps[static_cast<std::size_t>(reflection)], shift_, kOnward, std::pow(kLater, reflection));
+    return shifted(number_ * kOnwardSteps[static_cast<std::size_t>(reflection)], shift_, kOnward, kLater[static_cast<std::size_t>(reflection)]);
 }
 double RayNumbers::onwardWhich(int reflection) const {
-    return shifted(number_ * kOnwardWhichSteps[static_cast<std::size_t>(reflection)], shift_, std::pow(kLater, reflection + 1) * kWhich);
+    return shifted(number_ * kOnwardWhichSteps[static_cast<std::size_t>(reflection)], shift_, kLater[static_cast<std::size_t>(reflection) + 1] * kWhich);
 }
 
 } // namespace shadowlab::radiosity

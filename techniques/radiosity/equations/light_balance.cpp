@@ -32,9 +32,11 @@ void takeApart(Sources& sources, const Room& room, const PreparedExchange& excha
     sources.isFollowed = followed.patches;
     sources.isFollowed.resize(sources.size(), 0);
     sources.fromFollowedLights.assign(sources.size(), dvec3(0));
-    for (std::size_t l = 0; l < lights.size(); ++l)
-        for (std::size_t i = 0; followed.lights[l] != 0 && i < sources.size(); ++i)
+    for (std::size_t l = 0; l < lights.size(); ++l) {
+        if (followed.lights[l] == 0) continue;
+        for (std::size_t i = 0; i < sources.size(); ++i)
             sources.fromFollowedLights[i] += lights[l]->irradiance[i];
+    }
     std::vector<dvec3> sent(count); // straight to others, without noise
     for (std::size_t i = 0; i < count; ++i)
         if (followed.hasPatch(i) && !room.isSimplified(room.faceOf(room.patches()[i]).object)) sent[i] = sources.emission[i];

@@ -28,15 +28,6 @@ bool isCloseBefore(const Polygon& lamp, const Plane& plane) {
     });
 }
 
-/// The part of a patch that lies straight behind the lamp.
-Polygon partBehind(const Polygon& lamp, const dvec3& lampNormal, Polygon part) {
-    for (std::size_t i = 0; i < lamp.count(); ++i) {
-        const dvec3 inward = glm::normalize(glm::cross(lampNormal, lamp[(i + 1) % lamp.count()] - lamp[i]));
-        if (!part.isEmpty()) part = partBefore({lamp[i], inward}, part, kTouching * sizeOf(lamp));
-    }
-    return part;
-}
-
 } // namespace
 
 double coveredByLamps(const Patch& patch, std::span<const scene::Light> lights, const dvec3& originWorld) {
@@ -46,7 +37,7 @@ double coveredByLamps(const Patch& patch, std::span<const scene::Light> lights, 
         const dvec3 normal = scene::rectNormalWorld(light);
         const Polygon lamp = outlineOf(light, originWorld);
         if (!(glm::dot(normal, patch.normal) > 0) || !isCloseBefore(lamp, patch.plane())) continue;
-        if (const Polygon part = partBehind(lamp, normal, patch.polygon); !part.isEmpty()) covered += glm::length(areaVector(part));
+        if (const Polygon part = partWithin(lamp, normal, patch.polygon, kTouching * sizeOf(lamp)); !part.isEmpty()) covered += glm::length(areaVector(part));
     }
     return std::min(covered / patch.area, 1.0);
 }

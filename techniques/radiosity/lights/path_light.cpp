@@ -43,10 +43,10 @@ PathLightBuilder::PathLightBuilder(const Room& room, const SurfaceCells& cells, 
 
 bool PathLightBuilder::advance(std::chrono::steady_clock::time_point deadline) {
     if (!tracer_.advance(drawn_, deadline)) return false;
-    if (!hasEmitters_) {
+    if (!isPrepared_) {
         findEmitters();
         prepareCells();
-        hasEmitters_ = true;
+        isPrepared_ = true;
     }
     if (emitters_.empty()) nextPiece_ = kPieces;
     while (nextPiece_ < kPieces) {
@@ -89,9 +89,9 @@ void PathLightBuilder::prepareCells() {
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < patches.size(); ++i) {
         const bool hasCells = followed_.hasPatch(i) && !room_.isSimplified(room_.faceOf(patches[i]).object);
-        found_.cells.push_back(hasCells ? FineCells(patches[i], side) : FineCells());
         found_.firstCell.push_back(count);
-        count += static_cast<std::uint32_t>(found_.cells.back().count());
+        found_.cells.push_back(hasCells ? std::optional(PatchCells(patches[i].polygon, side)) : std::nullopt);
+        if (hasCells) count += static_cast<std::uint32_t>(found_.cells.back()->count());
     }
     found_.irradiance.resize(patches.size());
     found_.ofCells.resize(count);
@@ -118,9 +118,8 @@ void PathLightBuilder::follow(std::size_t piece) {
             if (!patch || *patch >= room_.patches().size()) break;
             if (isReflected || emitter.isSimplified) arriving.atPatches[*patch] += watts;
             if (!followed_.hasPatch(*patch)) break;
-            const FineCells& cells = found_.cells[*patch];
-            if (!cells.isEmpty() && (isReflected || !emitter.isLight))
-                arriving.atCells[found_.firstCell[*patch] + cells.at(tracer_.positionCentred(met) + roomFromDrawn)] += vec3(watts);
+            if (const auto& cells = found_.cells[*patch]; cells && (isReflected || !emitter.isLight))
+                arriving.atCells[found_.firstCell[*patch] + cells->at(tracer_.positionCentred(met) + roomFromDrawn)] += vec3(watts);
             // Russian roulette (J. Arvo and D. Kirk, "Particle Transport and Image Synthesis", SIGGRAPH 1990): what goes on is as bright as before.
             const dvec3 reflectance = reflectanceAt(tracer_, met);
             const double goesOn = std::max({reflectance.r, reflectance.g, reflectance.b});
@@ -145,7 +144,8 @@ PathLight PathLightBuilder::take() {
     for (std::size_t i = 0; i < found_.irradiance.size(); ++i) {
         const Patch& patch = room_.patches()[i];
         found_.irradiance[i] /= patch.area * room_.areaFactor(patch);
-        const std::vector<double> areas = found_.cells[i].areas(patch);
+        if (!found_.cells[i]) continue;
+        const std::vector<double> areas = found_.cells[i]->areasIn(patch.polygon);
         for (std::size_t c = 0; c < areas.size(); ++c) {
             vec3& ofCell = found_.ofCells[found_.firstCell[i] + c];
             ofCell = areas[c] > 0 ? vec3(dvec3(ofCell) / areas[c]) : vec3(0);
@@ -154,9 +154,8 @@ PathLight PathLightBuilder::take() {
     return std::move(found_);
 }
 
-std::optional<dvec3> PathLight::at(std::uint32_t patch, const dvec3& positionCentred) const {
-    if (!hasCells(patch)) return std::nullopt;
-    return dvec3(ofCells[firstCell[patch] + cells[patch].at(positionCentred)]);
+dvec3 PathLight::at(std::uint32_t patch, const dvec3& positionCentred) const {
+    return dvec3(ofCells[firstCell[patch] + cells[patch]->at(positionCentred)]);
 }
 
 } // namespace shadowlab::radiosity

@@ -14,7 +14,7 @@
 
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "techniques/radiosity/display/surface_cells.h"
-#include "techniques/radiosity/patches/fine_cells.h"
+#include "techniques/radiosity/patches/patch_cells.h"
 #include "techniques/radiosity/room/room.h"
 
 namespace shadowlab::radiosity {
@@ -32,16 +32,16 @@ struct PathLight {
     /// To each of Room::patches(), by light that was reflected at least once, and only by patches that are followed; and by that which comes
     /// straight from emitters with simplified meshes. (What comes straight from others, form factors know without noise, and what comes straight from lights is direct light.)
     std::vector<dvec3> irradiance;
-    /// For each of the same the first of its cells, and for each cell all that the emitters and what they light beside them bring there, but for what comes straight from
-    /// lights. Only patches have cells that are followed and lie on the surface that is drawn.
-    std::vector<FineCells> cells;
-    std::vector<std::uint32_t> firstCell;
+    /// The cells of each of the same; only patches have some that are followed and lie on the surface that is drawn.
+    std::vector<std::optional<PatchCells>> cells;
+    std::vector<std::uint32_t> firstCell; ///< of each patch, in the next
+    /// To each cell, by all that the emitters and what they light beside them send there, but for what comes straight from lights.
     std::vector<vec3> ofCells;
 
     [[nodiscard]] bool isEmpty() const { return irradiance.empty(); }
-    [[nodiscard]] bool hasCells(std::uint32_t patch) const { return patch < cells.size() && !cells[patch].isEmpty(); }
-    /// At that point of the patch, if it has cells.
-    [[nodiscard]] std::optional<dvec3> at(std::uint32_t patch, const dvec3& positionCentred) const;
+    [[nodiscard]] bool hasCells(std::uint32_t patch) const { return patch < cells.size() && cells[patch]; }
+    /// At that point of a patch with cells.
+    [[nodiscard]] dvec3 at(std::uint32_t patch, const dvec3& positionCentred) const;
 };
 
 class PathLightBuilder {
@@ -73,7 +73,7 @@ private:
     const Followed& followed_;
     scene::Snapshot drawn_;
     trace::SceneTracer tracer_;
-    bool hasEmitters_ = false;
+    bool isPrepared_ = false;
     std::vector<Emitter> emitters_;
     /// What a piece of the work has found, W: at patches, and at cells.
     struct Arriving {

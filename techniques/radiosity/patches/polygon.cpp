@@ -88,4 +88,12 @@ Polygon partBefore(const Plane& plane, const Polygon& polygon, double tolerance)
     return anyBefore ? kept : Polygon();
 }
 
+Polygon partWithin(const Polygon& outline, const dvec3& normal, Polygon part, double tolerance) {
+    for (std::size_t i = 0; i < outline.count() && !part.isEmpty(); ++i) {
+        const dvec3 inward = glm::normalize(glm::cross(normal, outline[(i + 1) % outline.count()] - outline[i]));
+        part = partBefore({outline[i], inward}, part, tolerance);
+    }
+    return part;
+}
+
 } // namespace shadowlab::radiosity

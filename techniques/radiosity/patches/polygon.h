@@ -83,4 +83,7 @@ bool isBehind(const Plane& plane, const Polygon& polygon, double tolerance);
 /// counts as in it, so that polygons that touch along an edge do not cut slivers off each other.
 Polygon partBefore(const Plane& plane, const Polygon& polygon, double tolerance);
 
+/// The part of a polygon that lies straight above or below another, convex one with that normal of its front. `tolerance`: of each of its sides, as there.
+Polygon partWithin(const Polygon& outline, const dvec3& normal, Polygon part, double tolerance);
+
 } // namespace shadowlab::radiosity

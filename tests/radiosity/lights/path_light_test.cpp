@@ -136,7 +136,7 @@ TEST(PathLight, CellsKnowHowMuchArrivesWhere) {
             for (int p = 0; p < kPoints * kPoints; ++p) {
                 const dvec2 in = dvec2(block % kBlocks, block / kBlocks) + (dvec2(p % kPoints, p / kPoints) + 0.5) / double{kPoints};
                 const dvec3 at = evenPlaceIn(patch.polygon, in.x / kBlocks, in.y / kBlocks), fromPanel = at - roomFromPanel;
-                found += paths.at(i, at)->x;
+                found += paths.at(i, at).x;
                 truth += kEmitted * pointFormFactor({-kGap, fromPanel.y, fromPanel.z}, {1, 0, 0}, shining);
             }
             ofCells += std::abs(found - truth);
@@ -184,8 +184,8 @@ TEST(PathLight, NothingIsLostInAClosedRoom) {
     ASSERT_FALSE(room.cache.pathLight().isEmpty());
     const EnergyBalance& energy = room.balance.energy();
     EXPECT_NEAR(energy.emitted.x, kEmitted * kWidth * kHeight, 1e-6);
-    EXPECT_NEAR(energy.closedResidual().x, 0, 0.01);
-    EXPECT_NEAR(energy.residual().x, 0, 1e-3);
+    EXPECT_NEAR(energy.closedResidual().x, 0, 0.003) << "what half a million paths leave to chance is a thousandth";
+    EXPECT_NEAR(energy.residual().x, 0, 1e-3) << "the equations are solved";
 }
 
 // The equations hold for what they have, and paths for the rest.
@@ -194,7 +194,7 @@ TEST(PathLight, TheSolutionSolvesTheEquations) {
     const std::vector<dvec3> exchanged = room.balance.exchanged(), arriving = room.balance.irradiance();
     std::size_t apart = 0;
     for (std::size_t i = 0; i < room.cache.room().patches().size(); ++i) {
-        EXPECT_NEAR(room.balance.radiosity()[i].x, room.sources.emission[i].x + room.sources.reflectance[i].x * arriving[i].x, 1e-3);
+        EXPECT_NEAR(room.balance.radiosity()[i].x, room.sources.emission[i].x + room.sources.reflectance[i].x * arriving[i].x, 1e-4) << "solved to 1e-6 of the largest radiosity, some 6 W/m^2";
         if (room.cache.isFollowed(i)) {
             ++apart;
             EXPECT_GE(room.balance.radiosity()[i].x, exchanged[i].x);

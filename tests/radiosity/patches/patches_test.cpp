@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "techniques/radiosity/patches/patch_cells.h"
 #include "techniques/radiosity/patches/polygon_samples.h"
 #include "tests/radiosity/scene_room.h"
 
@@ -102,6 +103,30 @@ TEST(Patches, PlacesAreEvenWithoutWeights) {
         EXPECT_LT(glm::distance(even, centroid(polygon)), 0.005);
         EXPECT_NEAR(left / double{kSide * kSide}, shareLeft, 0.005);
         EXPECT_GT(glm::distance(bySquare, centroid(polygon)), 0.03) << "without weights the square's points are not even";
+    }
+}
+
+// Of polygons that do not fill the rectangle around them: each cell is as large as the share of even points that it holds, and some are empty.
+TEST(Patches, CellsAreAsLargeAsWhatThePatchHasOfThem) {
+    constexpr std::size_t kOnSide = 6;
+    constexpr int kSide = 300;
+    const Polygon triangle{{0, 0, 1}, {3, 0, 1}, {0, 2, 1}}, pentagon{{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {1, 3, 0}, {0, 2, 0}};
+    for (const Polygon& polygon : {triangle, pentagon}) {
+        const PatchCells cells(polygon, kOnSide);
+        const std::vector<double> areas = cells.areasIn(polygon);
+        ASSERT_EQ(areas.size(), kOnSide * kOnSide);
+        std::vector<double> points(areas.size());
+        const double area = glm::length(areaVector(polygon));
+        for (int i = 0; i < kSide * kSide; ++i)
+            points[cells.at(evenPlaceIn(polygon, (i % kSide + 0.5) / kSide, (i / kSide + 0.5) / kSide))] += area / (kSide * kSide);
+        double sum = 0;
+        for (std::size_t c = 0; c < areas.size(); ++c) {
+            EXPECT_NEAR(areas[c], points[c], 0.05 * cells.area()) << "along its rim a cell has some fifty points more or less";
+            sum += areas[c];
+        }
+        EXPECT_NEAR(sum, area, 1e-9);
+        EXPECT_GT(std::ranges::count(areas, 0.0), 3) << "beside the polygon";
+        EXPECT_GT(std::ranges::count_if(areas, [&](double one) { return one > 0 && one < 0.9 * cells.area(); }), 3) << "partly beside it";
     }
 }
 
