@@ -4,8 +4,6 @@
 #include <algorithm>
 
 #include "techniques/radiosity/equations/light_balance.h"
-#include "techniques/radiosity/lights/lamp_cover.h"
-#include "techniques/radiosity/room/near_emitters.h"
 #include "techniques/radiosity/room/patch_memory.h"
 
 namespace shadowlab::radiosity {
@@ -44,6 +42,7 @@ bool shinesInto(const scene::Light& light, const scene::Bounds& box) {
 
 void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& params, const std::optional<Eye>& eye) {
     snapshot_ = snapshot;
+    areFreeLampsKnown_ = false;
     isFollowedKnown_ = false;
     const scene::Revisions& now = snapshot->revisions;
     if (bounds_.empty() || boundsRevisions_.geometry != now.geometry || boundsRevisions_.transforms != now.transforms)
@@ -91,6 +90,9 @@ void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& p
     analytic_.reset();
     drawn_.reset();
     exchange_.reset();
+    freeLamps_.clear();
+    lampLinesBuilder_.reset();
+    throughLamps_.clear();
     followed_ = {};
     followedLights_.clear();
     pathBuilder_.reset();
@@ -123,7 +125,7 @@ bool RoomCache::advance(const scene::Snapshot& snapshot, const RadiosityParams& 
         if (std::chrono::steady_clock::now() >= deadline) return false; // they may take a tenth of a second
         cells_ = surfaceCells(*roomSnapshot_, *room_);
     }
-    return advancePathLight(deadline);
+    return advanceLampLines(deadline) && advancePathLight(deadline);
 }
 
 /// Cuts some patches by the light on them. False: none need cutting, or all rounds are done.
@@ -202,6 +204,7 @@ void RoomCache::use(const FoundFormFactors& found) {
     exchange_ = preparedExchange(found.matrix, room_->patches(), room_->surroundings(), isScaled_);
     exchange_->counts = found.counts;
     exchange_->rowDeviations = found.rowDeviations;
+    beforeLamps_.reset();
     version_ = scene::newRevision();
 }
 
@@ -209,6 +212,7 @@ void RoomCache::setDrawnFormFactors(ExchangeMatrix found, int hemicubeSide) {
     drawn_ = FoundFormFactors{std::move(found), {}, std::vector<double>(room_->patches().size(), 0.0)};
     drawnSide_ = hemicubeSide;
     use(*drawn_);
+    takeOutLampLines();
 }
 
 bool RoomCache::advanceLights(Deadline deadline) {
@@ -230,48 +234,6 @@ bool RoomCache::advanceLights(Deadline deadline) {
         cached.found = cached.builder->take();
         cached.builder.reset();
     }
-    return true;
-}
-
-/// Patches closer to a lamp than half its size are in a gap as well: up to a third of what they reflect comes back to it, and the equations let that pass. Not before a lamp
-/// that lies on a surface: there they have it as the surface's, which reflects nothing where it is covered.
-Followed RoomCache::lightToFollow() const {
-    constexpr double kOfLamp = 0.5;
-    if (!params_.showsPixels()) return {};
-    const std::vector<Patch>& patches = room_->patches();
-    Followed found{room_->followed(), std::vector<std::uint8_t>(lights_.size(), 0)};
-    for (std::size_t l = 0; l < lights_.size(); ++l) {
-        const bool hasSurface = std::ranges::any_of(snapshot_->objects, [&](const scene::Object& object) { return object.emitterOfLight == static_cast<int>(l); });
-        if (!hasSurface) continue;
-        const std::span<const scene::Light> own(&snapshot_->lights[l], 1);
-        const bool liesOnSurface = std::ranges::any_of(patches, [&](const Patch& patch) { return coveredByLamps(patch, own, room_->world().originWorld) > 0; });
-        const trace::CentredBox box = lights_[l].source->box();
-        const std::vector<Plane> fronts = lights_[l].source->fronts();
-        const double reach = liesOnSurface ? 0 : kOfLamp * glm::distance(box.lower, box.upper);
-        for (std::size_t i = 0; i < patches.size(); ++i)
-            if (isInGap(patches[i], box, fronts, reach)) found.patches[i] = found.lights[l] = 1;
-    }
-    return found;
-}
-
-bool RoomCache::advancePathLight(Deadline deadline) {
-    if (!isFollowedKnown_) {
-        Followed now = lightToFollow();
-        std::vector<scene::Light> lights;
-        for (std::size_t l = 0; l < now.lights.size(); ++l)
-            if (now.lights[l] != 0) lights.push_back(snapshot_->lights[l]);
-        if (now != followed_ || lights != followedLights_) {
-            followed_ = std::move(now);
-            followedLights_ = std::move(lights);
-            pathLight_ = {};
-            pathBuilder_ = followed_.any() ? std::make_unique<PathLightBuilder>(*room_, *cells_, snapshot_, followed_) : nullptr;
-        }
-        isFollowedKnown_ = true;
-    }
-    if (!pathBuilder_) return true;
-    if (!pathBuilder_->advance(deadline)) return false;
-    pathLight_ = pathBuilder_->take();
-    pathBuilder_.reset();
     return true;
 }
 

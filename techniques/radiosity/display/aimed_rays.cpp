@@ -5,7 +5,9 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "techniques/foundation/math/perpendicular.h"
 #include "techniques/foundation/scene/model/surface_color.h"
+#include "techniques/radiosity/room/sample_hemisphere.h"
 
 namespace shadowlab::radiosity {
 
@@ -24,6 +26,16 @@ dvec3 geometricNormal(const trace::SceneTracer& tracer, const trace::SurfacePoin
 
 dvec3 reflectanceAt(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
     return dvec3(scene::diffuseAt(tracer.scene(), tracer.objectOf(point), tracer.world().triangleInMesh(point.primitive), point.barycentric()));
+}
+
+trace::SurfacePoint placeOn(const trace::SurfacePoint& side, dvec2 unit) {
+    if (unit.x + unit.y > 1) unit = 1.0 - unit; // the square, folded along its diagonal
+    return {side.primitive, side.eyeOnFront, unit};
+}
+
+dvec3 diffuseDirection(const trace::SceneTracer& tracer, const trace::SurfacePoint& from, const dvec2& unit) {
+    const dvec3 normal = geometricNormal(tracer, from), tangent = perpendicularTo(normal);
+    return cosineDirection({tangent, glm::cross(normal, tangent)}, normal, unit);
 }
 
 std::optional<Aim> aimAt(const dvec3& positionWorld, const dvec3& facing, const trace::SceneTracer& tracer, const RayOrigin& from) {

@@ -21,6 +21,12 @@ dvec3 geometricNormal(const trace::SceneTracer& tracer, const trace::SurfacePoin
 /// simplified mesh it may be that of another part, as of the next square of a chessboard.
 dvec3 reflectanceAt(const trace::SceneTracer& tracer, const trace::SurfacePoint& point);
 
+/// A place on the same side of the same triangle, all places alike: `unit` lies in the unit square.
+trace::SurfacePoint placeOn(const trace::SurfacePoint& side, dvec2 unit);
+
+/// The direction in which light leaves that point: about the geometricNormal(), by the cosine.
+dvec3 diffuseDirection(const trace::SceneTracer& tracer, const trace::SurfacePoint& from, const dvec2& unit);
+
 /// From where rays are sent.
 struct RayOrigin {
     const trace::SurfacePoint& point;

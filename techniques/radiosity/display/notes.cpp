@@ -82,7 +82,7 @@ void noteSolution(Frame& frame, const Showing& showing) {
     const EnergyBalance& energy = showing.balance.energy();
     frame.note("power",
                colors(energy.emitted) + " W from lights and surroundings, " + colors(energy.absorbed) + " absorbed, " +
-                   colors(energy.escaped) + " escaped",
+                   colors(energy.escaped) + (showing.params.showsPixels() && showing.caughtByLamps > 0 ? " escaped or taken in by lamps" : " escaped"),
                look::kLit);
 }
 
@@ -93,11 +93,14 @@ void noteError(Frame& frame, double share) {
                look::kLit);
 }
 
-/// Lamps are no patches, and so in no light's way.
-void noteLamps(Frame& frame, double caught) {
-    constexpr double kLeast = 0.01;
+/// Lamps are no patches, and without lines through them in no light's way.
+void noteLamps(Frame& frame, double caught, bool takesThemOut) {
+    constexpr double kLeast = 0.001; // in a room of which surfaces reflect nine tenths that makes a hundredth
     if (caught < kLeast) return;
-    frame.note("lamps", "reflected light goes through them: up to " + percent(caught) + " of what surfaces send would meet them", look::kLit);
+    frame.note("lamps",
+               takesThemOut ? "they take in up to " + percent(caught) + " of what surfaces send"
+                            : "reflected light goes through them: up to " + percent(caught) + " of what surfaces send would meet them",
+               look::kLit);
 }
 
 /// Materials with properties that a Lambertian surface does not have.
@@ -118,7 +121,7 @@ void publishNotes(const Showing& showing) {
     noteFormFactors(showing.frame, showing.cache.exchange());
     noteSolution(showing.frame, showing);
     if (showing.patchError) noteError(showing.frame, *showing.patchError);
-    noteLamps(showing.frame, showing.caughtByLamps);
+    noteLamps(showing.frame, showing.caughtByLamps, showing.params.showsPixels());
     noteMaterials(showing.frame);
 }
 

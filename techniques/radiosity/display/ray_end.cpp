@@ -7,10 +7,8 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/math/perpendicular.h"
 #include "techniques/foundation/scene/query/shading.h"
 #include "techniques/radiosity/display/aimed_rays.h"
-#include "techniques/radiosity/room/sample_hemisphere.h"
 
 namespace shadowlab::radiosity {
 
@@ -82,7 +80,7 @@ private:
         return which < 1 ? irradianceBy(which, point, patch, reflections) / chance : dvec3(0);
     }
     [[nodiscard]] dvec3 irradianceBy(double which, const trace::SurfacePoint& point, std::uint32_t patch, int reflections) const {
-        const dvec3 normal = geometricNormal(tracer_, point), tangent = perpendicularTo(normal);
+        const dvec3 normal = geometricNormal(tracer_, point);
         const bool mayChoose = solution_.guide.isUneven(patch);
         const RayOrigin from{point, normal, normal, mayChoose ? std::optional(patch) : std::nullopt};
         const double ofKinds = mayChoose ? 2 : 1;
@@ -90,7 +88,7 @@ private:
             const auto met = chosenPoint(solution_.guide, tracer_, from, ofKinds * which, numbers_.onward(reflections));
             return met ? ofKinds * met->share * sentFrom(met->point, met->distance, reflections + 1).radiosity : dvec3(0);
         }
-        const dvec3 direction = cosineDirection({tangent, glm::cross(normal, tangent)}, normal, numbers_.onward(reflections));
+        const dvec3 direction = diffuseDirection(tracer_, point, numbers_.onward(reflections));
         const trace::SurfacePoint met = tracer_.nextPoint(point, direction);
         if (!met) return ofKinds * glm::pi<double>() * solution_.outside;
         const double distance = glm::distance(tracer_.positionCentred(point), tracer_.positionCentred(met));

@@ -37,7 +37,7 @@ struct Showing {
     const SurfacePicture& picture;
     const RadiosityParams& params;
     std::optional<double> patchError; ///< what having one value each costs those that face the eye, as a share of the light; nothing: not solved yet
-    double caughtByLamps = 0;         ///< the share of what surfaces send that would meet lamps (lights/lamp_cover.h)
+    double caughtByLamps = 0;         ///< the share of what surfaces send that meets lamps if nothing else is in its way (lights/lamp_cover.h)
 
     /// Draws radiosities of all patches into the bound framebuffer.
     void draw(std::span<const dvec3> radiosity, bool interpolates) const;

@@ -2,6 +2,7 @@
 #include "techniques/radiosity/lights/lamp_cover.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -28,17 +29,31 @@ bool isCloseBefore(const Polygon& lamp, const Plane& plane) {
     });
 }
 
+/// The part of the patch that the rect lies in, or hangs close before, m^2.
+double areaUnderRect(const Patch& patch, const scene::Light& rect, const dvec3& originWorld) {
+    const dvec3 normal = scene::rectNormalWorld(rect);
+    const Polygon lamp = outlineOf(rect, originWorld);
+    if (!(glm::dot(normal, patch.normal) > 0) || !isCloseBefore(lamp, patch.plane())) return 0;
+    const Polygon part = partWithin(lamp, normal, patch.polygon, kTouching * sizeOf(lamp));
+    return part.isEmpty() ? 0 : glm::length(areaVector(part));
+}
+
+/// The part of the patch within the sphere, m^2.
+double areaWithinSphere(const Patch& patch, const scene::Light& sphere, const dvec3& originWorld) {
+    const dvec3 middle = sphere.positionWorld - originWorld;
+    const double height = patch.plane().height(middle);
+    const double squared = sphere.radius * sphere.radius - height * height; // of the radius of the circle in which the plane cuts it
+    return squared > 0 ? areaWithinCircle(patch.polygon, middle - height * patch.normal, std::sqrt(squared)) : 0;
+}
+
 } // namespace
 
 double coveredByLamps(const Patch& patch, std::span<const scene::Light> lights, const dvec3& originWorld) {
     double covered = 0;
-    for (const scene::Light& light : lights) {
-        if (light.type != scene::LightType::rect) continue;
-        const dvec3 normal = scene::rectNormalWorld(light);
-        const Polygon lamp = outlineOf(light, originWorld);
-        if (!(glm::dot(normal, patch.normal) > 0) || !isCloseBefore(lamp, patch.plane())) continue;
-        if (const Polygon part = partWithin(lamp, normal, patch.polygon, kTouching * sizeOf(lamp)); !part.isEmpty()) covered += glm::length(areaVector(part));
-    }
+    for (const scene::Light& light : lights)
+        covered += light.type == scene::LightType::rect     ? areaUnderRect(patch, light, originWorld)
+                   : light.type == scene::LightType::sphere ? areaWithinSphere(patch, light, originWorld)
+                                                            : 0;
     return std::min(covered / patch.area, 1.0);
 }
 

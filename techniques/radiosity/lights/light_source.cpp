@@ -111,10 +111,11 @@ double LightSource::meanIrradiance(const Patch& patch) const {
     for (int i = 0; i < kPlaces; ++i) {
         const auto x = hammersley4(i, kPlaces);
         const Place place = placeIn(patch.polygon, x[0], x[1]);
+        if (glm::distance(place.point, position) < light_.radius) continue;
         sum += place.weight * irradiance(place.point, patch.normal);
         weights += place.weight;
     }
-    return sum / weights;
+    return weights > 0 ? sum / weights : 0;
 }
 
 /// The part of the polygon within a pyramid around the spot's cone.

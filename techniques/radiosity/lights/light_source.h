@@ -44,7 +44,7 @@ public:
     /// The irradiance at a point of a surface with that unit normal, W/m^2, with nothing in between.
     [[nodiscard]] double irradiance(const dvec3& positionCentred, const dvec3& normal) const;
     /// The mean of that over a patch. Relative error 1e-7, mostly only rounding; about 1 % for a sphere that the plane of the
-    /// patch cuts.
+    /// patch cuts: then over what lies outside of it.
     [[nodiscard]] double meanIrradiance(const Patch& patch) const;
 
     /// A part of the patch that contains all that the light reaches; empty where it certainly reaches nothing.

@@ -6,12 +6,10 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/math/perpendicular.h"
 #include "techniques/foundation/math/radical_inverse.h"
 #include "techniques/foundation/math/random_pair.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/radiosity/display/aimed_rays.h"
-#include "techniques/radiosity/room/sample_hemisphere.h"
 
 namespace shadowlab::radiosity {
 
@@ -27,12 +25,6 @@ constexpr std::size_t kTogether = 8;
 // Cells are so many in all that a dozen paths meet each; of one patch no more than lets them be some millimetres wide.
 constexpr double kCells = 1e5;
 constexpr std::size_t kMostOnSide = 48, kLeastOnSide = 4;
-
-/// Uniform in the triangle: the unit square, folded along its diagonal.
-dvec2 weightsAt(dvec2 square) {
-    if (square.x + square.y > 1) square = 1.0 - square;
-    return square;
-}
 
 } // namespace
 
@@ -107,12 +99,11 @@ void PathLightBuilder::follow(std::size_t piece) {
         const double which = (path + 0.5) / kPaths * emitters_.back().upTo;
         const Emitter& emitter = *std::ranges::upper_bound(emitters_, which, {}, &Emitter::upTo);
         dvec3 watts = emitter.watts * (emitters_.back().upTo / (luminance(emitter.watts) * kPaths));
-        trace::SurfacePoint from{emitter.middle.primitive, emitter.middle.eyeOnFront, weightsAt({radicalInverse(path, 2), radicalInverse(path, 3)})};
+        trace::SurfacePoint from = placeOn(emitter.middle, {radicalInverse(path, 2), radicalInverse(path, 3)});
         dvec2 unit{radicalInverse(path, 5), radicalInverse(path, 7)};
         std::uint64_t key = static_cast<std::uint64_t>(path) << 32u;
         for (bool isReflected = false;; isReflected = true) {
-            const dvec3 normal = geometricNormal(tracer_, from), tangent = perpendicularTo(normal);
-            const trace::SurfacePoint met = tracer_.nextPoint(from, cosineDirection({tangent, glm::cross(normal, tangent)}, normal, unit));
+            const trace::SurfacePoint met = tracer_.nextPoint(from, diffuseDirection(tracer_, from, unit));
             if (!met || tracer_.objectOf(met).emitterOfLight >= 0) break;
             const auto patch = patchOf(met, cells_, tracer_);
             if (!patch || *patch >= room_.patches().size()) break;

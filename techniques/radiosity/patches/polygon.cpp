@@ -96,4 +96,25 @@ Polygon partWithin(const Polygon& outline, const dvec3& normal, Polygon part, do
     return part;
 }
 
+/// The sum over edges of the area between an edge and the middle: of a triangle where the edge is within the circle, of a sector where it is not. Edges that
+/// go clockwise around the middle count as negative.
+double areaWithinCircle(const Polygon& polygon, const dvec3& middle, double radius) {
+    const dvec3 normal = planeOf(polygon).normal;
+    const double squared = radius * radius;
+    double area = 0;
+    for (std::size_t i = 0; i < polygon.count(); ++i) {
+        const dvec3 from = polygon[i] - middle, way = polygon[(i + 1) % polygon.count()] - polygon[i];
+        const double a = glm::dot(way, way), b = glm::dot(way, from), c = glm::dot(from, from) - squared;
+        if (!(a > 0)) continue;
+        const double root = std::sqrt(std::max(0.0, b * b - a * c)); // 0: the edge's line does not cross the circle
+        std::array<double, 4> ends{0, std::clamp((-b - root) / a, 0.0, 1.0), std::clamp((-b + root) / a, 0.0, 1.0), 1};
+        for (std::size_t part = 0; part < 3; ++part) {
+            const dvec3 p = from + ends[part] * way, q = from + ends[part + 1] * way;
+            const double across = glm::dot(normal, glm::cross(p, q));
+            area += 0.5 * (part == 1 ? across : squared * std::atan2(across, glm::dot(p, q)));
+        }
+    }
+    return std::max(0.0, area); // of a circle beside it, sectors cancel but for rounding
+}
+
 } // namespace shadowlab::radiosity

@@ -86,4 +86,7 @@ Polygon partBefore(const Plane& plane, const Polygon& polygon, double tolerance)
 /// The part of a polygon that lies straight above or below another, convex one with that normal of its front. `tolerance`: of each of its sides, as there.
 Polygon partWithin(const Polygon& outline, const dvec3& normal, Polygon part, double tolerance);
 
+/// The area of the part of a polygon that lies within a circle in its plane.
+double areaWithinCircle(const Polygon& polygon, const dvec3& middle, double radius);
+
 } // namespace shadowlab::radiosity

@@ -11,14 +11,9 @@ namespace {
 
 using namespace shadowlab::testing;
 
-/// The area of the ceiling of a room of 3 x 2 x 4 m that a lamp of 0.5 x 0.4 m covers, below it by so much.
-double coveredArea(double below, bool shinesDown = true) {
+/// The area that the lamp covers of the walls of a room of 3 x 2 x 4 m.
+double coveredArea(const scene::Light& lamp) {
     const Room room(emptyRoom({3, 2, 4}), 0.3);
-    scene::Light lamp;
-    lamp.type = scene::LightType::rect;
-    lamp.positionWorld = {1.43, 2 - below, 2.21};
-    lamp.edgeUWorld = {shinesDown ? 0.5 : -0.5, 0, 0};
-    lamp.edgeVWorld = {0, 0, 0.4};
     double area = 0;
     int parts = 0;
     for (const Patch& patch : room.patches) {
@@ -32,11 +27,34 @@ double coveredArea(double below, bool shinesDown = true) {
     return area;
 }
 
+/// One of 0.5 x 0.4 m, below the ceiling by so much.
+double coveredArea(double below, bool shinesDown = true) {
+    scene::Light lamp;
+    lamp.type = scene::LightType::rect;
+    lamp.positionWorld = {1.43, 2 - below, 2.21};
+    lamp.edgeUWorld = {shinesDown ? 0.5 : -0.5, 0, 0};
+    lamp.edgeVWorld = {0, 0, 0.4};
+    return coveredArea(lamp);
+}
+
 TEST(LampCover, IsWhatLiesStraightBehind) {
     EXPECT_NEAR(coveredArea(0), 0.2, 1e-6);
     EXPECT_NEAR(coveredArea(0.02), 0.2, 1e-6);
     EXPECT_EQ(coveredArea(0.3), 0) << "light gets in between";
     EXPECT_EQ(coveredArea(0.02, false), 0) << "it shines at the ceiling";
+}
+
+// A circle, whether the ball's middle is in the room or behind the ceiling.
+TEST(LampCover, OfABallIsWhatLiesWithinIt) {
+    scene::Light ball;
+    ball.type = scene::LightType::sphere;
+    ball.radius = 0.25;
+    for (const double below : {0.0, 0.2, -0.2}) {
+        ball.positionWorld = {1.43, 2 - below, 2.21};
+        EXPECT_NEAR(coveredArea(ball), glm::pi<double>() * (0.25 * 0.25 - below * below), 1e-6) << "corners are floats";
+    }
+    ball.positionWorld.y = 1.7;
+    EXPECT_EQ(coveredArea(ball), 0);
 }
 
 // Where light is the same everywhere and in all directions, a body meets as much of it as its surface has of the walls'.

@@ -8,10 +8,9 @@
 #include <cmath>
 
 #include "techniques/foundation/scene/load/load.h"
-#include "techniques/radiosity/equations/light_balance.h"
 #include "techniques/radiosity/form_factors/point_form_factor.h"
 #include "techniques/radiosity/patches/polygon_samples.h"
-#include "techniques/radiosity/room_cache.h"
+#include "tests/radiosity/prepared.h"
 #include "tests/radiosity/scene_room.h"
 #include "tests/support/area_lights.h"
 
@@ -51,24 +50,6 @@ scene::Scene roomWithLamp(double reflectance, const dvec2& size = {kWidth, kHeig
     scene::addEmitterSurfaces(scene);
     return scene;
 }
-
-struct Prepared {
-    explicit Prepared(scene::Scene scene, int patches, RadiosityParams::Direct direct = RadiosityParams::Direct::pixels) : snapshot(testing::snapshot(std::move(scene))) {
-        params.patches = patches;
-        params.direct = direct;
-        while (!cache.advance(snapshot, params, Deadline::max())) {
-        }
-        sources = sourcesOf(cache.room(), cache.lights(), dvec3(0));
-        if (!cache.pathLight().isEmpty()) takeApart(sources, cache.room(), cache.exchange(), cache.lights(), cache.followed(), cache.pathLight().irradiance);
-        balance.restart(cache.exchange(), sources, SolverKind::conjugateGradients);
-        balance.advance({1e-6, 0}, 0, Deadline::max());
-    }
-    scene::Snapshot snapshot;
-    RadiosityParams params;
-    RoomCache cache;
-    Sources sources;
-    LightBalance balance;
-};
 
 /// About its middle, in a space of which x is the panel's own.
 Polygon shiningPanel() {

@@ -106,6 +106,27 @@ TEST(Patches, PlacesAreEvenWithoutWeights) {
     }
 }
 
+// Of circles within a polygon, around it, across one of its sides, of two corners, and beside it; and of any, by counting points.
+TEST(Patches, WhatACircleHasOfAPolygon) {
+    const Polygon square{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+    const double pi = glm::pi<double>();
+    EXPECT_NEAR(areaWithinCircle(square, {1, 1, 0}, 0.5), 0.25 * pi, 1e-14);
+    EXPECT_NEAR(areaWithinCircle(square, {1, 1, 0}, 2), 4, 1e-14);
+    EXPECT_NEAR(areaWithinCircle(square, {2, 1, 0}, 0.5), 0.125 * pi, 1e-14);
+    EXPECT_NEAR(areaWithinCircle(square, {0, 0, 0}, 2), pi, 1e-14);
+    EXPECT_NEAR(areaWithinCircle(square, {4, 1, 0}, 1.5), 0, 1e-14);
+    const Polygon pentagon{{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {1, 3, 0}, {0, 2, 0}};
+    constexpr int kSide = 400;
+    const double area = glm::length(areaVector(pentagon));
+    for (const dvec3& middle : {dvec3(0.2, 0.4, 0), dvec3(2.6, 0.5, 0), dvec3(1, 1, 0), dvec3(-0.4, 1, 0)}) {
+        int within = 0;
+        for (int i = 0; i < kSide * kSide; ++i)
+            within += glm::distance(evenPlaceIn(pentagon, (i % kSide + 0.5) / kSide, (i / kSide + 0.5) / kSide), middle) < 0.9 ? 1 : 0;
+        EXPECT_GT(within, 1000);
+        EXPECT_NEAR(areaWithinCircle(pentagon, middle, 0.9), area * within / (kSide * kSide), 0.003 * area);
+    }
+}
+
 // Of polygons that do not fill the rectangle around them: each cell is as large as the share of even points that it holds, and some are empty.
 TEST(Patches, CellsAreAsLargeAsWhatThePatchHasOfThem) {
     constexpr std::size_t kOnSide = 6;
