@@ -98,7 +98,7 @@ void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& p
     pathBuilder_.reset();
     pathLight_ = {};
     cells_.reset();
-    spheres_.clear();
+    aims_.clear();
     room_ = std::make_unique<Room>(*roomSnapshot_, key_.settings, eye);
     lastEye_ = eye;
     isCutForLastEye_ = true;
@@ -237,9 +237,9 @@ bool RoomCache::advanceLights(Deadline deadline) {
     return true;
 }
 
-const CoveringSpheres& RoomCache::spheresOf(std::uint32_t object) const {
-    const auto found = spheres_.find(object);
-    return found != spheres_.end() ? found->second : spheres_.emplace(object, roomSnapshot_->objects[object]).first->second;
+const MeshAim& RoomCache::aimOf(std::uint32_t object) const {
+    const auto found = aims_.find(object);
+    return found != aims_.end() ? found->second : aims_.emplace(object, roomSnapshot_->objects[object]).first->second;
 }
 
 std::vector<const DirectLight*> RoomCache::lights() const {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "techniques/radiosity/display/covering_spheres.h"
+#include "techniques/radiosity/display/mesh_aim.h"
 #include "techniques/radiosity/display/surface_cells.h"
 #include "techniques/radiosity/exchange/prepared_exchange.h"
 #include "techniques/radiosity/lights/direct_light.h"
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] bool isRefined() const { return key_.refine > 0; }
     [[nodiscard]] const SurfaceCells& cells() const { return *cells_; }
     /// Around the mesh of an object, as it is drawn. Found when first asked for; not to be asked for by several threads at a time.
-    [[nodiscard]] const CoveringSpheres& spheresOf(std::uint32_t object) const;
+    [[nodiscard]] const MeshAim& aimOf(std::uint32_t object) const;
     [[nodiscard]] const DirectLight& light(int light) const { return *lights_[static_cast<std::size_t>(light)].found; }
     [[nodiscard]] const LightSource& source(int light) const { return *lights_[static_cast<std::size_t>(light)].source; }
     [[nodiscard]] std::vector<const DirectLight*> lights() const;
@@ -123,7 +123,7 @@ private:
     RadiosityParams::FormFactors exchangeKind_{};
     bool isScaled_ = false;
     std::optional<SurfaceCells> cells_;
-    mutable std::map<std::uint32_t, CoveringSpheres> spheres_; ///< by object
+    mutable std::map<std::uint32_t, MeshAim> aims_; ///< by object
     std::vector<std::uint8_t> receives_; ///< for each patch: does it receive shadow? 1 or 0
     std::vector<CachedLight> lights_;
     std::vector<std::uint8_t> isFree_;    ///< for each light, 1 if it is a lamp that hangs freely, else 0

@@ -28,6 +28,12 @@ dvec3 reflectanceAt(const trace::SceneTracer& tracer, const trace::SurfacePoint&
     return dvec3(scene::diffuseAt(tracer.scene(), tracer.objectOf(point), tracer.world().triangleInMesh(point.primitive), point.barycentric()));
 }
 
+dvec3 emittedAt(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
+    const scene::Object& object = tracer.objectOf(point);
+    const scene::Material& material = scene::materialOfTriangle(tracer.scene(), object, tracer.world().triangleInMesh(point.primitive));
+    return scene::shinesFrom(material, point.eyeOnFront != scene::isMirrored(object)) ? glm::pi<double>() * dvec3(material.emission) : dvec3(0);
+}
+
 trace::SurfacePoint placeOn(const trace::SurfacePoint& side, dvec2 unit) {
     if (unit.x + unit.y > 1) unit = 1.0 - unit; // the square, folded along its diagonal
     return {side.primitive, side.eyeOnFront, unit};

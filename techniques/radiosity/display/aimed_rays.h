@@ -27,6 +27,9 @@ trace::SurfacePoint placeOn(const trace::SurfacePoint& side, dvec2 unit);
 /// The direction in which light leaves that point: about the geometricNormal(), by the cosine.
 dvec3 diffuseDirection(const trace::SceneTracer& tracer, const trace::SurfacePoint& from, const dvec2& unit);
 
+/// What that place itself emits, W/m^2. A patch of a simplified mesh that is nearest to it may be the back of another part, and dark.
+dvec3 emittedAt(const trace::SceneTracer& tracer, const trace::SurfacePoint& point);
+
 /// From where rays are sent.
 struct RayOrigin {
     const trace::SurfacePoint& point;

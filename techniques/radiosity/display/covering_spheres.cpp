@@ -87,6 +87,13 @@ bool CoveringSpheres::hold(const dvec3& positionWorld) const {
     return std::ranges::any_of(spheres_, [&](const Sphere& sphere) { return glm::distance(positionWorld, sphere.centreWorld) <= sphere.radius; });
 }
 
+double CoveringSpheres::discs() const {
+    double area = 0;
+    for (const Sphere& sphere : spheres_)
+        area += glm::pi<double>() * sphere.radius * sphere.radius;
+    return area;
+}
+
 std::optional<dvec3> CoveringSpheres::direction(const dvec3& fromWorld, double which, const dvec2& where) const {
     const Sphere* chosen = &spheres_.back();
     for (const Sphere& sphere : spheres_) {

@@ -30,6 +30,8 @@ public:
     /// The density with which that unit vector is chosen, 1/sr.
     [[nodiscard]] double density(const dvec3& fromWorld, const dvec3& direction) const;
     [[nodiscard]] std::size_t count() const { return spheres_.size(); }
+    /// The area of the discs that one sees of them from far away, m^2.
+    [[nodiscard]] double discs() const;
 
 private:
     struct Sphere {

@@ -81,7 +81,7 @@ GatherGuide::GatherGuide(const RoomCache& cache, const Sources& sources, std::sp
         emitted[j] = luminance(sources.emission[j]);
     }
     for (const std::uint32_t object : brightMeshes(*room_, sent))
-        meshes_.push_back({object, &cache.spheresOf(object)});
+        meshes_.push_back({object, &cache.aimOf(object)});
     for (std::uint32_t j = 0; j < count; ++j) {
         const std::uint32_t object = room_->faceOf(room_->patches()[j]).object;
         const auto mesh = std::ranges::find(meshes_, object, &Mesh::object);
@@ -98,7 +98,7 @@ GatherGuide::GatherGuide(const RoomCache& cache, const Sources& sources, std::sp
         for (std::size_t j = 0; j < count; ++j)
             if (targets_[j] != kNone) sums[targets_[j]] += row[j] * from[j];
         for (std::size_t m = 0; m < meshes_.size(); ++m)
-            if (meshes_[m].spheres->hold(room_->world().originWorld + patch.centre)) sums[count + m] = 0;
+            if (!meshes_[m].aim->isFoundFrom(room_->world().originWorld + patch.centre)) sums[count + m] = 0;
         for (std::size_t j = 1; j < sums.size(); ++j)
             sums[j] += sums[j - 1];
         if (!(sums.back() > 0)) return;
@@ -109,16 +109,23 @@ GatherGuide::GatherGuide(const RoomCache& cache, const Sources& sources, std::sp
 
 /// `sent`: the luminance of all that the patch sends.
 std::optional<GatherGuide::Spread> GatherGuide::spreadOf(const RoomCache& cache, const Sources& sources, std::uint32_t patch, double sent) {
+    const Patch& of = cache.room().patches()[patch];
+    Spread spread{PatchCells(of.polygon), {}, 0};
     std::array<double, PatchCells::kCount> ofCells{};
     double all = 0, most = 0;
     for (const DirectLight* light : cache.lights())
         for (std::size_t c = 0; c < ofCells.size(); ++c)
             ofCells[c] += luminance(sources.reflectance[patch] * light->irradiance[patch]) * static_cast<double>(light->cells[patch][c]);
+    if (const PathLight& paths = cache.pathLight(); paths.hasCells(patch)) {
+        const PatchCells& fine = *paths.cells[patch];
+        for (std::size_t c = 0; c < fine.count(); ++c)
+            ofCells[spread.cells.at(fine.pointIn(c, dvec2(0.5)))] += luminance(sources.reflectance[patch] * dvec3(paths.ofCells[paths.firstCell[patch] + c])) * fine.area() / of.area;
+    }
     for (const double one : ofCells)
         all += one, most = std::max(most, one);
     // Where no cell has twice its share, choosing by them gains less than a point to a cell is worth.
     if (!(most * PatchCells::kCount > 2 * all)) return std::nullopt;
-    Spread spread{PatchCells(cache.room().patches()[patch].polygon), {}, std::min(1 - kAlike, all / sent)};
+    spread.share = std::min(1 - kAlike, all / sent);
     double sum = 0;
     for (std::size_t c = 0; c < ofCells.size(); ++c)
         spread.upTo[c] = static_cast<float>((sum += ofCells[c]) / all);
@@ -144,9 +151,9 @@ std::optional<GatherGuide::Way> GatherGuide::choose(std::uint32_t at, const dvec
     const auto [target, rest] = chosenOf(upTo_[at], which);
     if (target >= room_->patches().size()) {
         const Mesh& mesh = meshes_[target - room_->patches().size()];
-        const auto direction = mesh.spheres->direction(fromWorld, rest, where);
-        if (!direction) return std::nullopt;
-        return Way{*direction, share(at, target) * mesh.spheres->density(fromWorld, *direction), 0, mesh.object};
+        const auto way = mesh.aim->choose(fromWorld, rest, where);
+        if (!way) return std::nullopt;
+        return Way{way->direction, share(at, target) * way->density, way->distance, mesh.aim->usesSpheres() ? std::optional(mesh.object) : std::nullopt};
     }
     const Patch& patch = room_->patches()[target];
     const Spread* by = spread(at, target);
@@ -164,7 +171,7 @@ std::optional<GatherGuide::Way> GatherGuide::choose(std::uint32_t at, const dvec
 double GatherGuide::density(std::uint32_t at, const dvec3& fromWorld, const dvec3& direction, const Found& found) const {
     const std::uint32_t target = targets_[found.patch];
     if (target == kNone) return 0;
-    if (target >= room_->patches().size()) return share(at, target) * meshes_[target - room_->patches().size()].spheres->density(fromWorld, direction);
+    if (target >= room_->patches().size()) return share(at, target) * meshes_[target - room_->patches().size()].aim->density(fromWorld, direction, found.distance, found.cosineThere);
     return densityOfDirection(densityOfPoint(at, target, fromWorld + found.distance * direction), found.distance, found.cosineThere);
 }
 

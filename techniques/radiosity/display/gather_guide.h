@@ -6,7 +6,7 @@
 // where photons came from), and both kinds are weighed by how likely each is to find a point (E. Veach and L. Guibas, "Optimally Combining Sampling
 // Techniques for Monte Carlo Rendering", SIGGRAPH 1995: the balance heuristic).
 // Within a patch, points are chosen in proportion to the direct light of its cells (patch_cells.h), as its mean says nothing of the edge of a spot on it. Patches
-// of a simplified mesh lie beside the surface that rays meet: for all of them together a direction into spheres around the mesh is chosen (covering_spheres.h).
+// of a simplified mesh lie beside the surface that rays meet: for all of them together one ray to the mesh is chosen (mesh_aim.h).
 // Where light comes from all sides, rays in all directions find it well enough, and none is chosen. And under the open sky only what patches emit is
 // found on purpose: what they reflect is little there, and while rays do not depend on the lights, pictures by each of them add up to that by all to
 // the last bit. In rooms they add up but for noise.
@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "techniques/radiosity/display/covering_spheres.h"
+#include "techniques/radiosity/display/mesh_aim.h"
 #include "techniques/radiosity/equations/light_balance.h"
 #include "techniques/radiosity/room_cache.h"
 
@@ -45,7 +45,7 @@ public:
     struct Way {
         dvec3 direction{0.0};               ///< unit
         double density = 0;                 ///< with which this direction is chosen, 1/sr
-        double distance = 0;                ///< to the chosen point of a patch, metres
+        double distance = 0;                ///< to the chosen point, metres
         std::optional<std::uint32_t> object; ///< into spheres around that object: its mesh may be met anywhere on the way
     };
     /// Where isUneven(). `which` and `where`: of the unit interval and the unit square, evenly distributed. Nothing: from there what was chosen is not seen.
@@ -59,7 +59,7 @@ public:
     [[nodiscard]] double density(std::uint32_t at, const dvec3& fromWorld, const dvec3& direction, const Found& found) const;
 
 private:
-    /// Where on a patch the light of lights arrives, if not alike everywhere.
+    /// Where on a patch the light of lights arrives, and light that is followed along paths, if not alike everywhere.
     struct Spread {
         PatchCells cells;
         PatchCells::Shares upTo;
@@ -75,7 +75,7 @@ private:
     std::vector<std::optional<Spread>> spreads_; ///< of each of Room::patches()
     struct Mesh {
         std::uint32_t object;
-        const CoveringSpheres* spheres;
+        const MeshAim* aim;
     };
     std::vector<Mesh> meshes_; ///< simplified ones that are bright
     /// Of each of Room::allPatches(): what is chosen where it would be, itself, or after all of Room::patches() one of meshes_; kNone: nothing.

@@ -29,8 +29,7 @@ public:
         if (tracer_.objectOf(point).emitterOfLight >= 0) return {};
         const auto patch = patchOf(point, solution_.cache.cells(), tracer_);
         if (!patch) return {}; // the inside of a closed body: dark
-        const Room& room = solution_.cache.room();
-        const dvec3 emission = room.emissionOf(room.allPatches()[*patch]), reflectance = reflectanceAt(tracer_, point);
+        const dvec3 emission = emittedAt(tracer_, point), reflectance = reflectanceAt(tracer_, point);
         dvec3 irradiance = !goesOn(*patch, distance, reflections) ? reflectedAt(point, *patch)
                                                                    : onward(point, *patch, reflections, chanceToGoOn(reflectance, emission, *patch));
         for (int i = 0; i < static_cast<int>(tracer_.scene().lights.size()); ++i) {

@@ -63,7 +63,7 @@ void PathLightBuilder::findEmitters() {
                     add(middle, glm::pi<double>() * source.intensity * dvec3(source.color), false, true);
             } else if (const auto patch = patchOf(middle, cells_, tracer_); patch && followed_.hasPatch(*patch)) {
                 const Patch& of = room_.patches()[*patch];
-                add(middle, room_.emissionOf(of), room_.isSimplified(room_.faceOf(of).object), false);
+                add(middle, emittedAt(tracer_, middle), room_.isSimplified(room_.faceOf(of).object), false);
             }
         }
 }

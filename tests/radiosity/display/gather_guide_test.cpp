@@ -10,6 +10,7 @@
 
 #include "techniques/foundation/math/random_pair.h"
 #include "techniques/radiosity/display/gather_rays.h"
+#include "techniques/radiosity/form_factors/point_form_factor.h"
 #include "techniques/radiosity/patches/polygon_samples.h"
 #include "tests/radiosity/quasirandom.h"
 #include "tests/radiosity/scene_room.h"
@@ -71,6 +72,15 @@ public:
                 if (light_.pointAt({x, y}))
                     found.push_back(gather(solution, light_, {x, y}, {randomPair(pixelKey({x, y})), 0, rays}).irradiance.g / static_cast<double>(rays));
         return found;
+    }
+
+    /// Of the same pixels, in the world.
+    [[nodiscard]] std::vector<dvec3> places() const {
+        std::vector<dvec3> places;
+        for (int y = 0; y < light_.size().y; ++y)
+            for (int x = 0; x < light_.size().x; ++x)
+                if (const trace::SurfacePoint& point = light_.pointAt({x, y})) places.push_back(light_.tracer().positionWorld(point));
+        return places;
     }
 
 private:
@@ -219,6 +229,44 @@ scene::Scene roomWithGlowingBall(const dvec3& radii) {
 
 TEST(GatherGuide, DirectionsToASimplifiedBallTakeNoiseAway) { expectLessNoise(SolvedRoom(roomWithGlowingBall({0.1, 0.1, 0.1})), 0.2); }
 TEST(GatherGuide, DirectionsToALongOneTakeNoiseAway) { expectLessNoise(SolvedRoom(roomWithGlowingBall({0.03, 0.03, 0.6})), 0.4); }
+
+/// The same room, lit by nothing but a ring 1 m wide and 6 cm thick.
+scene::Scene roomWithRing(const dvec3& middle) {
+    scene::Scene scene = roomWithSpot();
+    scene.lights.clear();
+    scene.materials.emplace_back().emission = vec3(5);
+    testing::addObject(scene, scene::makeTorus(0.5, 0.03, {64, 32}), testing::translation(middle)).partMaterials = {1};
+    return scene;
+}
+
+TEST(GatherGuide, PointsOfARingTakeNoiseAway) { expectLessNoise(SolvedRoom(roomWithRing({2, 2.5, 2})), 0.4); }
+
+// Simplified, a ring folds onto itself, and where it does, the patch that is nearest to a place may be the back of another part, which is dark. Above its middle nothing
+// of a ring hides another part, and it brings what its triangles do, each by its closed form.
+TEST(GatherGuide, ARingShinesFromAllOfItsSurface) {
+    scene::Scene scene = roomWithRing({2, 2.5, 2});
+    for (scene::Material& material : scene.materials)
+        material.diffuse = vec3(0);
+    scene.camera.positionWorld = {2, 2.6, 2};
+    scene.camera.targetWorld = {2.01, 3, 2};
+    const SolvedRoom room(scene);
+    const std::vector<double> found = room.gathered(room.guide(), 256);
+    const std::vector<dvec3> places = room.places();
+    ASSERT_EQ(found.size(), 64u * 36u);
+    const scene::Object& ring = scene.objects.back();
+    const dmat4 worldFromMesh = scene::worldFromMesh(ring);
+    double truth = 0, sum = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        sum += found[i];
+        for (const uvec3& t : ring.mesh->triangles) {
+            const auto corner = [&](int c) { return transformPoint(worldFromMesh, dvec3(ring.mesh->positionsMesh[t[c]])); };
+            const Polygon triangle{corner(0), corner(1), corner(2)};
+            if (planeOf(triangle).height(places[i]) > 0) truth += 5 * glm::pi<double>() * pointFormFactor(places[i], {0, -1, 0}, triangle);
+        }
+    }
+    EXPECT_GT(truth / static_cast<double>(found.size()), 0.5);
+    EXPECT_NEAR(sum / truth, 1, 0.005) << "by the emission of patches it is too dark";
+}
 
 } // namespace
 } // namespace shadowlab::radiosity
