@@ -2,7 +2,7 @@
 //
 // A panel hangs 3 cm before a wall and shines at it. The wall sends light back to the panel, and the panel to the wall; only what is reflected near the panel's
 // outline gets out, and there the wall is much darker than behind the panel's middle. One radiosity for a patch that is wider than the gap is a mean over both:
-// the room would be a tenth too bright. A lamp takes back as much, which in the equations passes through it. And a ring that has been simplified to a few dozen triangles shines more to one side than it should. So what such an emitter
+// the room would be a tenth too bright. So it is behind a lamp. And a ring that has been simplified to a few dozen triangles shines more to one side than it should. So what such an emitter
 // sends is followed until it meets a patch that is neither close to it nor its own (S. N. Pattanaik and S. P. Mudur, "Computation of Global Illumination by Monte
 // Carlo Simulation of the Particle Model of Light", Eurographics Workshop on Rendering 1992). There it is irradiance, as direct light is, and the equations have
 // the rest. Patches in the gap are cut into many small cells, which remember what arrived: a gather ray that ends there finds the light of that place.
