@@ -91,8 +91,8 @@ void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& p
     drawn_.reset();
     exchange_.reset();
     freeLamps_.clear();
-    lampLinesBuilder_.reset();
-    throughLamps_.clear();
+    lampsBuilder_.reset();
+    pastLamps_.clear();
     followed_ = {};
     followedLights_.clear();
     pathBuilder_.reset();
@@ -125,7 +125,7 @@ bool RoomCache::advance(const scene::Snapshot& snapshot, const RadiosityParams& 
         if (std::chrono::steady_clock::now() >= deadline) return false; // they may take a tenth of a second
         cells_ = surfaceCells(*roomSnapshot_, *room_);
     }
-    return advanceLampLines(deadline) && advancePathLight(deadline);
+    return advanceLampsBetween(deadline) && advancePathLight(deadline);
 }
 
 /// Cuts some patches by the light on them. False: none need cutting, or all rounds are done.
@@ -212,7 +212,7 @@ void RoomCache::setDrawnFormFactors(ExchangeMatrix found, int hemicubeSide) {
     drawn_ = FoundFormFactors{std::move(found), {}, std::vector<double>(room_->patches().size(), 0.0)};
     drawnSide_ = hemicubeSide;
     use(*drawn_);
-    takeOutLampLines();
+    leaveWhatPassesLamps();
 }
 
 bool RoomCache::advanceLights(Deadline deadline) {

@@ -13,7 +13,7 @@
 #include "techniques/radiosity/display/surface_cells.h"
 #include "techniques/radiosity/exchange/prepared_exchange.h"
 #include "techniques/radiosity/lights/direct_light.h"
-#include "techniques/radiosity/lights/lines_through_lamps.h"
+#include "techniques/radiosity/lights/lamps_between.h"
 #include "techniques/radiosity/lights/path_light.h"
 #include "techniques/radiosity/params.h"
 #include "techniques/radiosity/room/room.h"
@@ -41,7 +41,7 @@ public:
     /// False: they must be drawn (hemicube_exchange.h) and set by setDrawnFormFactors().
     [[nodiscard]] bool hasFormFactors() const { return exchange_.has_value(); }
     void setDrawnFormFactors(ExchangeMatrix found, int hemicubeSide);
-    /// Without what passes through lamps, if the picture shows direct light by pixels.
+    /// Without what meets lamps on its way, if the picture shows direct light by pixels.
     [[nodiscard]] const PreparedExchange& exchange() const { return *exchange_; }
     /// Are patches refined by the light on them?
     [[nodiscard]] bool isRefined() const { return key_.refine > 0; }
@@ -87,11 +87,13 @@ private:
     bool refineOnce();
     bool findFormFactors(const RadiosityParams& params, Deadline deadline);
     bool advanceLights(Deadline deadline);
+    /// What is drawn of a lamp; nullptr: nothing.
+    [[nodiscard]] const scene::Object* bodyOf(std::size_t light) const;
     /// Has the lamp a body, and is that no rect that lies on a surface? Where one does, the surface reflects nothing that it covers (lamp_cover.h).
     [[nodiscard]] bool hangsFreely(std::size_t light) const;
     void findFreeLamps();
-    bool advanceLampLines(Deadline deadline);
-    void takeOutLampLines();
+    bool advanceLampsBetween(Deadline deadline);
+    void leaveWhatPassesLamps();
     [[nodiscard]] Followed lightToFollow() const;
     bool advancePathLight(Deadline deadline);
 
@@ -127,11 +129,11 @@ private:
     std::vector<std::uint8_t> receives_; ///< for each patch: does it receive shadow? 1 or 0
     std::vector<CachedLight> lights_;
     std::vector<std::uint8_t> isFree_;    ///< for each light, 1 if it is a lamp that hangs freely, else 0
-    std::vector<scene::Light> freeLamps_; ///< those, as they were when lines were sent through them, but for their brightness
+    std::vector<scene::Light> freeLamps_; ///< those, as they were when lines past them were sent, but for their brightness
     bool areFreeLampsKnown_ = false;      ///< false: something has changed since
-    std::unique_ptr<LampLinesBuilder> lampLinesBuilder_;
-    std::vector<ExchangeArea> throughLamps_;
-    std::optional<std::vector<ExchangeArea>> beforeLamps_; ///< what exchange_ had there; none: nothing has been taken out of it yet
+    std::unique_ptr<LampsBetweenBuilder> lampsBuilder_;
+    std::vector<PairValue> pastLamps_;
+    std::optional<std::vector<PairValue>> beforeLamps_; ///< what exchange_ had there; none: it has all of it
     Followed followed_;
     std::vector<scene::Light> followedLights_; ///< as they were when their light was followed
     bool isFollowedKnown_ = false;             ///< false: something has changed since

@@ -1,4 +1,4 @@
-// What the cache finds for lamps beyond their direct light: lines between patches that pass through them, and light that is followed along paths.
+// What the cache finds for lamps beyond their direct light: what of the exchange of patches passes them by, and light that is followed along paths.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
@@ -8,51 +8,58 @@
 
 namespace shadowlab::radiosity {
 
+const scene::Object* RoomCache::bodyOf(std::size_t light) const {
+    const auto found = std::ranges::find(snapshot_->objects, static_cast<int>(light), &scene::Object::emitterOfLight);
+    return found != snapshot_->objects.end() ? &*found : nullptr;
+}
+
 bool RoomCache::hangsFreely(std::size_t light) const {
-    const bool hasSurface = std::ranges::any_of(snapshot_->objects, [&](const scene::Object& object) { return object.emitterOfLight == static_cast<int>(light); });
-    if (!hasSurface || snapshot_->lights[light].type == scene::LightType::sphere) return hasSurface;
+    if (!bodyOf(light) || !scene::hasArea(snapshot_->lights[light])) return false;
+    if (snapshot_->lights[light].type == scene::LightType::sphere) return true;
     const std::span<const scene::Light> own(&snapshot_->lights[light], 1);
     return std::ranges::none_of(room_->patches(), [&](const Patch& patch) { return coveredByLamps(patch, own, room_->world().originWorld) > 0; });
 }
 
-bool RoomCache::advanceLampLines(Deadline deadline) {
+bool RoomCache::advanceLampsBetween(Deadline deadline) {
     if (!areFreeLampsKnown_) {
         findFreeLamps();
         areFreeLampsKnown_ = true;
     }
-    if (lampLinesBuilder_) {
-        if (!lampLinesBuilder_->advance(deadline)) return false;
-        throughLamps_ = lampLinesBuilder_->take();
-        lampLinesBuilder_.reset();
+    if (lampsBuilder_) {
+        if (!lampsBuilder_->advance(deadline)) return false;
+        pastLamps_ = lampsBuilder_->take();
+        lampsBuilder_.reset();
     }
-    takeOutLampLines();
+    leaveWhatPassesLamps();
     return true;
 }
 
 void RoomCache::findFreeLamps() {
     std::vector<scene::Light> lamps;
+    std::vector<LampBody> bodies;
     isFree_.clear();
     for (std::size_t l = 0; l < lights_.size(); ++l) {
         isFree_.push_back(params_.showsPixels() && hangsFreely(l) ? 1 : 0);
         if (isFree_.back() == 0) continue;
+        bodies.emplace_back(snapshot_->lights[l], *bodyOf(l), room_->world().originWorld);
         lamps.push_back(snapshot_->lights[l]);
         lamps.back().intensity = 1;
         lamps.back().color = vec3(1);
     }
     if (lamps == freeLamps_) return;
     freeLamps_ = std::move(lamps);
-    lampLinesBuilder_ = freeLamps_.empty() ? nullptr : std::make_unique<LampLinesBuilder>(*room_, *cells_, snapshot_, isFree_);
-    throughLamps_.clear();
+    lampsBuilder_ = bodies.empty() ? nullptr : std::make_unique<LampsBetweenBuilder>(*room_, std::move(bodies));
+    pastLamps_.clear();
     if (!exchange_ || !beforeLamps_) return;
     putBack(exchange_->matrix, *beforeLamps_);
     beforeLamps_.reset();
     version_ = scene::newRevision();
 }
 
-/// Not twice, and not before there is something to take it out of.
-void RoomCache::takeOutLampLines() {
-    if (!exchange_ || beforeLamps_ || throughLamps_.empty()) return;
-    beforeLamps_ = takeOut(exchange_->matrix, throughLamps_);
+/// Not twice, and not before there is something of which to leave it.
+void RoomCache::leaveWhatPassesLamps() {
+    if (!exchange_ || beforeLamps_ || pastLamps_.empty()) return;
+    beforeLamps_ = leaveShares(exchange_->matrix, pastLamps_);
     version_ = scene::newRevision();
 }
 
@@ -64,8 +71,7 @@ Followed RoomCache::lightToFollow() const {
     const std::vector<Patch>& patches = room_->patches();
     Followed found{room_->followed(), std::vector<std::uint8_t>(lights_.size(), 0)};
     for (std::size_t l = 0; l < lights_.size(); ++l) {
-        const bool hasSurface = std::ranges::any_of(snapshot_->objects, [&](const scene::Object& object) { return object.emitterOfLight == static_cast<int>(l); });
-        if (!hasSurface) continue;
+        if (!bodyOf(l)) continue;
         const trace::CentredBox box = lights_[l].source->box();
         const std::vector<Plane> fronts = lights_[l].source->fronts();
         const double reach = isFree_[l] == 0 ? 0 : kOfLamp * glm::distance(box.lower, box.upper);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "techniques/radiosity/patches/polygon_samples.h"
 
 namespace shadowlab::radiosity {
 
@@ -14,18 +13,22 @@ namespace {
 // With fewer lines the estimate is useless; a few thousand are as exact as a patch deserves.
 constexpr double kFewestLines = 8, kMostLines = 4096;
 
-/// The integrand of the form factor for one line, up to a constant factor.
-double kernel(const Patch& a, const Patch& b, const dvec3& from, const dvec3& to) {
-    const dvec3 way = to - from;
-    const double square = glm::dot(way, way);
-    return std::max(0.0, glm::dot(a.normal, way)) * std::max(0.0, -glm::dot(b.normal, way)) / (square * square);
-}
-
 // Relative tolerance of the unoccluded exchange. Where sampling decides how much of it is visible, the sampling error is a
 // hundredth at best, so the second is enough.
 constexpr double kWhole = 1e-7, kInPart = 1e-4;
 
 } // namespace
+
+double exchangeKernel(const Patch& a, const Patch& b, const dvec3& from, const dvec3& to) {
+    const dvec3 way = to - from;
+    const double square = glm::dot(way, way);
+    return std::max(0.0, glm::dot(a.normal, way)) * std::max(0.0, -glm::dot(b.normal, way)) / (square * square);
+}
+
+int linesBetween(const Patch& a, const Patch& b, double exchangeArea, double linesPerPatch) {
+    const double share = exchangeArea / std::min(a.area, b.area);
+    return static_cast<int>(std::clamp(std::ceil(linesPerPatch * share), kFewestLines, kMostLines));
+}
 
 VisibleExchange visibleExchange(const Patch& a, const Patch& b, const Occlusion& occlusion, const Blockers& known,
                                 double linesPerPatch) {
@@ -36,23 +39,18 @@ VisibleExchange visibleExchange(const Patch& a, const Patch& b, const Occlusion&
     const Exchange whole = unoccludedExchange(a.polygon, b.polygon, blockers.empty() ? kWhole : kInPart);
     if (whole.area <= 0) return {};
     if (blockers.empty()) return {Kind::full, whole.area, whole.error};
-    const double share = whole.area / std::min(a.area, b.area);
-    const int lines = static_cast<int>(std::clamp(std::ceil(linesPerPatch * share), kFewestLines, kMostLines));
     double free = 0, all = 0, squares = 0;
-    for (int i = 0; i < lines; ++i) {
-        const auto x = hammersley4(i, lines);
-        const Place from = placeIn(a.polygon, x[0], x[1]), to = placeIn(b.polygon, x[2], x[3]);
-        const double weight = from.weight * to.weight * kernel(a, b, from.point, to.point);
+    forLinesBetween(a, b, linesBetween(a, b, whole.area, linesPerPatch), [&](const dvec3& from, const dvec3& to, double weight) {
         all += weight;
         squares += weight * weight;
-        if (!(weight > 0)) continue;
-        const auto firstBlocker = occlusion.firstBlocker(blockers, from.point, to.point);
+        if (!(weight > 0)) return;
+        const auto firstBlocker = occlusion.firstBlocker(blockers, from, to);
         if (firstBlocker == blockers.end())
             free += weight;
         else
             // Tested first for the next line, which it probably blocks, too.
             std::swap(blockers[static_cast<std::size_t>(firstBlocker - blockers.begin())], blockers.front());
-    }
+    });
     if (!(all > 0)) return {Kind::partial, 0, whole.area};
     const double seen = free / all;
     // The standard error of a weighted mean of zeros and ones; not below that of one half, because all lines may agree by chance.

@@ -8,6 +8,7 @@
 #include "techniques/radiosity/form_factors/occlusion.h"
 #include "techniques/radiosity/form_factors/polygon_exchange.h"
 #include "techniques/radiosity/patches/patches.h"
+#include "techniques/radiosity/patches/polygon_samples.h"
 
 namespace shadowlab::radiosity {
 
@@ -23,5 +24,21 @@ struct VisibleExchange {
 /// Hammersley points: the same question always gives the same answer.
 VisibleExchange visibleExchange(const Patch& a, const Patch& b, const Occlusion& occlusion, const Blockers& known,
                                 double linesPerPatch);
+
+/// The integrand of the exchange area for one line between points of both, 1/m^2, times pi.
+double exchangeKernel(const Patch& a, const Patch& b, const dvec3& from, const dvec3& to);
+
+/// How many lines a pair with that exchange area gets.
+int linesBetween(const Patch& a, const Patch& b, double exchangeArea, double linesPerPatch);
+
+/// Calls line(from, to, weight) for so many lines.
+template <typename Line>
+void forLinesBetween(const Patch& a, const Patch& b, int lines, const Line& line) {
+    for (int i = 0; i < lines; ++i) {
+        const auto x = hammersley4(i, lines);
+        const Place from = placeIn(a.polygon, x[0], x[1]), to = placeIn(b.polygon, x[2], x[3]);
+        line(from.point, to.point, from.weight * to.weight * exchangeKernel(a, b, from.point, to.point));
+    }
+}
 
 } // namespace shadowlab::radiosity

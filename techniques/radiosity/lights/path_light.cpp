@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <glm/gtc/constants.hpp>
 
@@ -10,6 +11,7 @@
 #include "techniques/foundation/math/random_pair.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/radiosity/display/aimed_rays.h"
+#include "techniques/radiosity/lights/lamps_between.h"
 
 namespace shadowlab::radiosity {
 
@@ -25,6 +27,11 @@ constexpr std::size_t kTogether = 8;
 // Cells are so many in all that a dozen paths meet each; of one patch no more than lets them be some millimetres wide.
 constexpr double kCells = 1e5;
 constexpr std::size_t kMostOnSide = 48, kLeastOnSide = 4;
+
+/// The surface of a ball over that of its mesh, whose flat faces lie within it: as much more they must send, to send what the ball does.
+double meshFactor(const scene::Light& lamp, const scene::Object& surface) {
+    return lamp.type == scene::LightType::sphere ? 4 * glm::pi<double>() * lamp.radius * lamp.radius / surfaceArea(surface) : 1;
+}
 
 } // namespace
 
@@ -53,14 +60,16 @@ bool PathLightBuilder::advance(std::chrono::steady_clock::time_point deadline) {
 
 /// The sides of triangles that emit, and are followed; of lights their fronts.
 void PathLightBuilder::findEmitters() {
+    std::map<int, double> factors; // of lights
     for (std::uint32_t t = 0; t < tracer_.bvh().triangles.size(); ++t)
         for (const bool isFront : {true, false}) {
             const trace::SurfacePoint middle{t, isFront, dvec2(1.0 / 3)};
             const int light = tracer_.objectOf(middle).emitterOfLight;
             if (light >= 0) {
                 const scene::Light& source = drawn_->light(light);
-                if (isFront && followed_.lights[static_cast<std::size_t>(light)] != 0)
-                    add(middle, glm::pi<double>() * source.intensity * dvec3(source.color), false, true);
+                if (!isFront || followed_.lights[static_cast<std::size_t>(light)] == 0) continue;
+                if (!factors.contains(light)) factors[light] = meshFactor(source, tracer_.objectOf(middle));
+                add(middle, factors[light] * glm::pi<double>() * source.intensity * dvec3(source.color), false, true);
             } else if (const auto patch = patchOf(middle, cells_, tracer_); patch && followed_.hasPatch(*patch)) {
                 const Patch& of = room_.patches()[*patch];
                 add(middle, emittedAt(tracer_, middle), room_.isSimplified(room_.faceOf(of).object), false);
