@@ -103,6 +103,7 @@ void PathLightBuilder::follow(std::size_t piece) {
     arriving.atPatches.resize(room_.patches().size());
     arriving.atCells.resize(found_.ofCells.size());
     const dvec3 roomFromDrawn = tracer_.world().originWorld - room_.world().originWorld;
+    const auto isLamp = [&](const trace::SurfacePoint& point) { return tracer_.objectOf(point).emitterOfLight >= 0; };
     for (int i = 0; i < kPathsInPiece; ++i) {
         const int path = static_cast<int>(piece) * kPathsInPiece + i;
         const double which = (path + 0.5) / kPaths * emitters_.back().upTo;
@@ -112,8 +113,11 @@ void PathLightBuilder::follow(std::size_t piece) {
         dvec2 unit{radicalInverse(path, 5), radicalInverse(path, 7)};
         std::uint64_t key = static_cast<std::uint64_t>(path) << 32u;
         for (bool isReflected = false;; isReflected = true) {
-            const trace::SurfacePoint met = tracer_.nextPoint(from, diffuseDirection(tracer_, from, unit));
-            if (!met || tracer_.objectOf(met).emitterOfLight >= 0) break;
+            const dvec3 direction = diffuseDirection(tracer_, from, unit);
+            trace::SurfacePoint met = tracer_.nextPoint(from, direction);
+            while (met && emitter.isLight && !isReflected && isLamp(met)) // lamps cast no shadow, but take in what surfaces reflect
+                met = tracer_.nextPoint(met, direction);
+            if (!met || isLamp(met)) break;
             const auto patch = patchOf(met, cells_, tracer_);
             if (!patch || *patch >= room_.patches().size()) break;
             if (isReflected || emitter.isSimplified) arriving.atPatches[*patch] += watts;

@@ -11,6 +11,7 @@
 #include "techniques/radiosity/form_factors/point_form_factor.h"
 #include "techniques/radiosity/patches/polygon_samples.h"
 #include "tests/radiosity/prepared.h"
+#include "tests/radiosity/quasirandom.h"
 #include "tests/radiosity/scene_room.h"
 #include "tests/support/area_lights.h"
 
@@ -139,6 +140,99 @@ TEST(PathLight, SoItIsBehindALamp) {
         const Prepared byPatches(roomWithLamp(0), patches, RadiosityParams::Direct::patches);
         EXPECT_GT(wattsAtOthers(byPatches.cache, byPatches.balance.irradiance()) / truth, 5) << patches;
     }
+}
+
+/// What leaves the floor of that room after one reflection, W, if a ball of that radius rests on it, above the floor's middle: E = M F, of which the ball takes back E F.
+double wattsFromBelowABall(double radius) {
+    constexpr int kCells = 2000;
+    constexpr double kCell = 4.0 / kCells;
+    double watts = 0;
+    for (int x = 0; x < kCells; ++x)
+        for (int z = 0; z < kCells; ++z) {
+            const double aside = glm::length(dvec2((x + 0.5) * kCell - 2, (z + 0.5) * kCell - 2)), distance = std::hypot(radius, aside);
+            const double factor = std::pow(radius / distance, 3);
+            watts += kReflected * kEmitted * factor * (1 - factor) * kCell * kCell;
+        }
+    return watts;
+}
+
+/// That room, with a ball at rest on the floor, which alone reflects.
+scene::Scene roomWithBall(double radius) {
+    scene::Scene scene = roomOf(0, kReflected);
+    scene.objects[4].partMaterials = {0};
+    scene.objects[0].partMaterials = {1}; // the floor
+    scene.lights.push_back(sphereLight({2, radius, 2}, radius));
+    scene.lights[0].intensity = kEmitted / glm::pi<double>();
+    return scene;
+}
+
+/// What the floor reflects to other surfaces, W.
+double reflectedWatts(const Prepared& room) {
+    const std::vector<dvec3> arriving = room.balance.irradiance();
+    double watts = 0;
+    for (std::size_t i = 0; i < room.cache.room().patches().size(); ++i) {
+        const Patch& patch = room.cache.room().patches()[i];
+        if (room.cache.room().faceOf(patch).object != 0) watts += patch.area * (arriving[i].x - room.sources.fromLights[i].x);
+    }
+    return watts;
+}
+
+TEST(PathLight, SoItIsBelowABall) {
+    constexpr double kRadius = 0.25;
+    const double truth = wattsFromBelowABall(kRadius);
+    scene::Scene scene = roomWithBall(kRadius);
+    scene::addEmitterSurfaces(scene);
+    for (const int patches : {150, 600}) {
+        const Prepared room(scene, patches);
+        ASSERT_TRUE(room.cache.followed().any());
+        EXPECT_NEAR(reflectedWatts(room) / truth, 1, 0.01) << patches;
+    }
+}
+
+/// The same by rays, with a plate in the plane x = 2.6 m, 0.6 m high and 1 m wide, that takes in what meets it, but lets the ball's own light pass.
+double wattsPastAPlate(double radius) {
+    constexpr int kCells = 160, kRays = 256;
+    constexpr double kCell = 4.0 / kCells;
+    const dvec3 ball(2, radius, 2);
+    const auto isTaken = [&](const dvec3& from, const dvec3& direction) {
+        const dvec3 aside = glm::cross(ball - from, direction);
+        if (glm::dot(ball - from, direction) > 0 && glm::dot(aside, aside) < radius * radius) return true;
+        const double way = (2.6 - from.x) / direction.x;
+        const dvec3 at = from + way * direction;
+        return way > 0 && at.y < 0.6 && std::abs(at.z - 2) < 0.5;
+    };
+    double watts = 0;
+    for (int cell = 0; cell < kCells * kCells; ++cell) {
+        const dvec3 from((cell % kCells + 0.5) * kCell, 0, (cell / kCells + 0.5) * kCell);
+        int free = 0;
+        for (int ray = 0; ray < kRays; ++ray) {
+            const auto x = quasirandom4(ray + kRays * cell);
+            const double square = x[0], turn = glm::two_pi<double>() * x[1], across = std::sqrt(square);
+            free += isTaken(from, {across * std::cos(turn), std::sqrt(1 - square), across * std::sin(turn)}) ? 0 : 1;
+        }
+        watts += kReflected * kEmitted * std::pow(radius / glm::distance(from, ball), 3) * free / kRays * kCell * kCell;
+    }
+    return watts;
+}
+
+// A second lamp, a plate that stands on the floor beside the ball, sends next to nothing. It hides none of the ball's light from the floor, for lamps cast no shadow, but takes
+// in what the floor reflects to it.
+TEST(PathLight, LampsCastNoShadowOnWhatIsFollowed) {
+    constexpr double kRadius = 0.25;
+    scene::Scene scene = roomWithBall(kRadius);
+    scene.lights.push_back(rectLight({2.6, 0.3, 2}, {0, 0.6, 0}, {0, 0, 1}));
+    scene.lights[1].intensity = 1e-6;
+    scene::addEmitterSurfaces(scene);
+    const double truth = wattsPastAPlate(kRadius);
+    EXPECT_LT(truth, 0.95 * wattsFromBelowABall(kRadius));
+    const Prepared room(scene, 600);
+    double beyond = 0; // of the ball's light, what arrives there and is followed
+    for (std::size_t i = 0; i < room.cache.room().patches().size(); ++i) {
+        const Patch& patch = room.cache.room().patches()[i];
+        if (room.cache.isFollowed(i) && patch.centre.x + room.cache.room().world().originWorld.x > 2.6) beyond += patch.area * room.sources.fromLights[i].x;
+    }
+    EXPECT_GT(beyond, 0.1 * truth);
+    EXPECT_NEAR(reflectedWatts(room) / truth, 1, 0.02) << "0.95 if the plate hid it";
 }
 
 // Where the lamp goes elsewhere, nothing is followed any more, and back there it is as before.
