@@ -42,8 +42,7 @@ bool shinesInto(const scene::Light& light, const scene::Bounds& box) {
 
 void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& params, const std::optional<Eye>& eye) {
     snapshot_ = snapshot;
-    areFreeLampsKnown_ = false;
-    isFollowedKnown_ = false;
+    areLampsKnown_ = false;
     const scene::Revisions& now = snapshot->revisions;
     if (bounds_.empty() || boundsRevisions_.geometry != now.geometry || boundsRevisions_.transforms != now.transforms)
         bounds_ = scene::objectBounds(*snapshot);
@@ -125,7 +124,7 @@ bool RoomCache::advance(const scene::Snapshot& snapshot, const RadiosityParams& 
         if (std::chrono::steady_clock::now() >= deadline) return false; // they may take a tenth of a second
         cells_ = surfaceCells(*roomSnapshot_, *room_);
     }
-    return advanceLampsBetween(deadline) && advancePathLight(deadline);
+    return advanceLamps(deadline);
 }
 
 /// Cuts some patches by the light on them. False: none need cutting, or all rounds are done.

@@ -46,7 +46,7 @@ public:
     /// Are patches refined by the light on them?
     [[nodiscard]] bool isRefined() const { return key_.refine > 0; }
     [[nodiscard]] const SurfaceCells& cells() const { return *cells_; }
-    /// Around the mesh of an object, as it is drawn. Found when first asked for; not to be asked for by several threads at a time.
+    /// To the mesh of an object, as it is drawn. Found when first asked for; not to be asked for by several threads at a time.
     [[nodiscard]] const MeshAim& aimOf(std::uint32_t object) const;
     [[nodiscard]] const DirectLight& light(int light) const { return *lights_[static_cast<std::size_t>(light)].found; }
     [[nodiscard]] const LightSource& source(int light) const { return *lights_[static_cast<std::size_t>(light)].source; }
@@ -91,7 +91,9 @@ private:
     [[nodiscard]] const scene::Object* bodyOf(std::size_t light) const;
     /// Has the lamp a body, and is that no rect that lies on a surface? Where one does, the surface reflects nothing that it covers (lamp_cover.h).
     [[nodiscard]] bool hangsFreely(std::size_t light) const;
+    bool advanceLamps(Deadline deadline);
     void findFreeLamps();
+    void findFollowed();
     bool advanceLampsBetween(Deadline deadline);
     void leaveWhatPassesLamps();
     [[nodiscard]] Followed lightToFollow() const;
@@ -128,15 +130,14 @@ private:
     mutable std::map<std::uint32_t, MeshAim> aims_; ///< by object
     std::vector<std::uint8_t> receives_; ///< for each patch: does it receive shadow? 1 or 0
     std::vector<CachedLight> lights_;
+    bool areLampsKnown_ = false;          ///< false: something has changed since what follows was found
     std::vector<std::uint8_t> isFree_;    ///< for each light, 1 if it is a lamp that hangs freely, else 0
     std::vector<scene::Light> freeLamps_; ///< those, as they were when lines past them were sent, but for their brightness
-    bool areFreeLampsKnown_ = false;      ///< false: something has changed since
     std::unique_ptr<LampsBetweenBuilder> lampsBuilder_;
     std::vector<PairValue> pastLamps_;
     std::optional<std::vector<PairValue>> beforeLamps_; ///< what exchange_ had there; none: it has all of it
     Followed followed_;
     std::vector<scene::Light> followedLights_; ///< as they were when their light was followed
-    bool isFollowedKnown_ = false;             ///< false: something has changed since
     std::unique_ptr<PathLightBuilder> pathBuilder_;
     PathLight pathLight_;
     std::uint64_t version_ = 0;

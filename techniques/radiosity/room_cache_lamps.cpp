@@ -20,11 +20,16 @@ bool RoomCache::hangsFreely(std::size_t light) const {
     return std::ranges::none_of(room_->patches(), [&](const Patch& patch) { return coveredByLamps(patch, own, room_->world().originWorld) > 0; });
 }
 
-bool RoomCache::advanceLampsBetween(Deadline deadline) {
-    if (!areFreeLampsKnown_) {
+bool RoomCache::advanceLamps(Deadline deadline) {
+    if (!areLampsKnown_) {
         findFreeLamps();
-        areFreeLampsKnown_ = true;
+        findFollowed();
+        areLampsKnown_ = true;
     }
+    return advanceLampsBetween(deadline) && advancePathLight(deadline);
+}
+
+bool RoomCache::advanceLampsBetween(Deadline deadline) {
     if (lampsBuilder_) {
         if (!lampsBuilder_->advance(deadline)) return false;
         pastLamps_ = lampsBuilder_->take();
@@ -81,20 +86,19 @@ Followed RoomCache::lightToFollow() const {
     return found;
 }
 
+void RoomCache::findFollowed() {
+    Followed now = lightToFollow();
+    std::vector<scene::Light> lights;
+    for (std::size_t l = 0; l < now.lights.size(); ++l)
+        if (now.lights[l] != 0) lights.push_back(snapshot_->lights[l]);
+    if (now == followed_ && lights == followedLights_) return;
+    followed_ = std::move(now);
+    followedLights_ = std::move(lights);
+    pathLight_ = {};
+    pathBuilder_ = followed_.any() ? std::make_unique<PathLightBuilder>(*room_, *cells_, snapshot_, followed_) : nullptr;
+}
+
 bool RoomCache::advancePathLight(Deadline deadline) {
-    if (!isFollowedKnown_) {
-        Followed now = lightToFollow();
-        std::vector<scene::Light> lights;
-        for (std::size_t l = 0; l < now.lights.size(); ++l)
-            if (now.lights[l] != 0) lights.push_back(snapshot_->lights[l]);
-        if (now != followed_ || lights != followedLights_) {
-            followed_ = std::move(now);
-            followedLights_ = std::move(lights);
-            pathLight_ = {};
-            pathBuilder_ = followed_.any() ? std::make_unique<PathLightBuilder>(*room_, *cells_, snapshot_, followed_) : nullptr;
-        }
-        isFollowedKnown_ = true;
-    }
     if (!pathBuilder_) return true;
     if (!pathBuilder_->advance(deadline)) return false;
     pathLight_ = pathBuilder_->take();

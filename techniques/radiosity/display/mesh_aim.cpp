@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "techniques/radiosity/display/gather_guide.h"
+#include "techniques/radiosity/patches/polygon_samples.h"
 
 namespace shadowlab::radiosity {
 
@@ -23,7 +24,7 @@ MeshAim::MeshAim(const scene::Object& object) : spheres_(object) {
     for (const uvec3& corners : object.mesh->triangles) {
         const auto corner = [&](int i) { return transformPoint(worldFromMesh, dvec3(object.mesh->positionsMesh[corners[i]])); };
         const Triangle triangle{corner(0), corner(1), corner(2)};
-        area += 0.5 * glm::length(glm::cross(triangle.b - triangle.a, triangle.c - triangle.a));
+        area += glm::length(areaVector({triangle[0], triangle[1], triangle[2]}));
         triangles_.push_back(triangle);
         upTo_.push_back(area);
     }
@@ -40,10 +41,9 @@ std::optional<MeshAim::Way> MeshAim::choose(const dvec3& fromWorld, double which
         return Way{*direction, 0, spheres_.density(fromWorld, *direction)};
     }
     const auto above = std::ranges::upper_bound(upTo_, which * upTo_.back());
-    const Triangle& triangle = triangles_[std::min(static_cast<std::size_t>(above - upTo_.begin()), triangles_.size() - 1)];
-    const dvec3 alongB = triangle.b - triangle.a, alongC = triangle.c - triangle.a, across = glm::cross(alongB, alongC);
-    const dvec2 weights = where.x + where.y > 1 ? 1.0 - where : where; // the square, folded along its diagonal
-    const dvec3 way = triangle.a + weights.x * alongB + weights.y * alongC - fromWorld;
+    const Triangle& corners = triangles_[std::min(static_cast<std::size_t>(above - upTo_.begin()), triangles_.size() - 1)];
+    const Polygon triangle{corners[0], corners[1], corners[2]};
+    const dvec3 way = evenPlaceIn(triangle, where.x, where.y) - fromWorld, across = areaVector(triangle);
     const double distance = glm::length(way), cosine = std::abs(glm::dot(way, across)) / (distance * glm::length(across));
     if (!(distance > kContactDistance) || !(cosine > 0)) return std::nullopt;
     return Way{way / distance, distance, density(fromWorld, way / distance, distance, cosine)};

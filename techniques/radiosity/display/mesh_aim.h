@@ -4,6 +4,7 @@
 // mostly empty. There points of the triangles are chosen, all of the surface alike, and count if the ray arrives; half of them lie on sides that are turned away.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -33,11 +34,9 @@ public:
 
 private:
     CoveringSpheres spheres_;
-    struct Triangle {
-        dvec3 a, b, c; ///< world
-    };
-    std::vector<Triangle> triangles_; ///< empty where spheres are used
-    std::vector<double> upTo_;        ///< the area of each and those before it, m^2
+    using Triangle = std::array<dvec3, 3>; ///< corners, world
+    std::vector<Triangle> triangles_;      ///< empty where spheres are used
+    std::vector<double> upTo_;             ///< the area of each and those before it, m^2
 };
 
 } // namespace shadowlab::radiosity

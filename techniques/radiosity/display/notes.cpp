@@ -93,12 +93,12 @@ void noteError(Frame& frame, double share) {
                look::kLit);
 }
 
-/// Lamps are no patches, and without lines through them in no light's way.
-void noteLamps(Frame& frame, double caught, bool takesThemOut) {
+/// Lamps are no patches, and without lines past them in no light's way.
+void noteLamps(Frame& frame, double caught, bool areInTheWay) {
     constexpr double kLeast = 0.001; // in a room of which surfaces reflect nine tenths that makes a hundredth
     if (caught < kLeast) return;
     frame.note("lamps",
-               takesThemOut ? "they take in up to " + percent(caught) + " of what surfaces send"
+               areInTheWay ? "they take in up to " + percent(caught) + " of what surfaces send"
                             : "reflected light goes through them: up to " + percent(caught) + " of what surfaces send would meet them",
                look::kLit);
 }

@@ -31,7 +31,7 @@ double surfaceArea(const scene::Object& object) {
     double area = 0;
     for (const uvec3& t : object.mesh->triangles) {
         const auto corner = [&](int i) { return worldFromMesh * dvec3(object.mesh->positionsMesh[t[i]]); };
-        area += 0.5 * glm::length(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+        area += glm::length(areaVector({corner(0), corner(1), corner(2)}));
     }
     return area;
 }

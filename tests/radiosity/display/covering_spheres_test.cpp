@@ -10,17 +10,13 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "techniques/foundation/scene/model/shapes.h"
+#include "tests/radiosity/lone_mesh.h"
 #include "tests/radiosity/quasirandom.h"
-#include "tests/support/scenes.h"
 
 namespace shadowlab::radiosity {
 namespace {
 
-scene::Object objectOf(scene::Mesh mesh, const dmat4& worldFromObject = dmat4(1)) {
-    scene::Scene scene;
-    scene.materials.emplace_back();
-    return testing::addObject(scene, std::move(mesh), worldFromObject);
-}
+using testing::objectOf;
 
 /// 2 m long and 0.1 m thick.
 scene::Object longThing() { return objectOf(scene::makeSphere(1, 48), glm::scale(testing::translation({5, 1, 0}), dvec3(0.05, 1, 0.05))); }

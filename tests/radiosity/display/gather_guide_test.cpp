@@ -10,8 +10,9 @@
 
 #include "techniques/foundation/math/random_pair.h"
 #include "techniques/radiosity/display/gather_rays.h"
-#include "techniques/radiosity/form_factors/point_form_factor.h"
 #include "techniques/radiosity/patches/polygon_samples.h"
+#include "tests/radiosity/lone_mesh.h"
+#include "tests/radiosity/prepared.h"
 #include "tests/radiosity/quasirandom.h"
 #include "tests/radiosity/scene_room.h"
 
@@ -39,33 +40,24 @@ scene::Scene roomWithSpot() {
 /// Solved, and what a picture of 64 x 36 pixels of it shows.
 class SolvedRoom {
 public:
-    explicit SolvedRoom(scene::Scene scene) : snapshot_(testing::snapshot(std::move(scene))) {
-        RadiosityParams params;
-        params.patches = 400;
-        while (!cache_.advance(snapshot_, params, Deadline::max())) {
-        }
-        sources_ = sourcesOf(cache_.room(), cache_.lights(), dvec3(0));
-        const PathLight& paths = cache_.pathLight();
-        if (!paths.isEmpty()) takeApart(sources_, cache_.room(), cache_.exchange(), cache_.lights(), cache_.followed(), paths.irradiance);
-        balance_.restart(cache_.exchange(), sources_, SolverKind::conjugateGradients);
-        balance_.advance({1e-6, 0}, 0, Deadline::max());
-        reflected_ = balance_.irradianceShown();
+    explicit SolvedRoom(scene::Scene scene) : prepared_(std::move(scene), 400) {
+        reflected_ = prepared_.balance.irradianceShown();
         for (std::size_t i = 0; i < reflected_.size(); ++i)
-            reflected_[i] -= sources_.fromLights[i];
+            reflected_[i] -= prepared_.sources.fromLights[i];
         View view;
-        view.camera = snapshot_->camera;
+        view.camera = prepared_.snapshot->camera;
         view.size = {64, 36};
-        while (!light_.advance(snapshot_, view, Deadline::max())) {
+        while (!light_.advance(prepared_.snapshot, view, Deadline::max())) {
         }
-        guide_ = GatherGuide(cache_, sources_, balance_.radiosity(), dvec3(0));
+        guide_ = GatherGuide(prepared_.cache, prepared_.sources, prepared_.balance.radiosity(), dvec3(0));
     }
-    [[nodiscard]] const Room& room() const { return cache_.room(); }
+    [[nodiscard]] const Room& room() const { return prepared_.cache.room(); }
     [[nodiscard]] const GatherGuide& guide() const { return guide_; }
 
     /// The irradiance of each pixel that shows something, green, W/m^2.
     [[nodiscard]] std::vector<double> gathered(const GatherGuide& guide, std::size_t rays) const {
         static const Openings kNone;
-        const GatherSolution solution{cache_, sources_, guide, kNone, reflected_, dvec3(0), balance_.version()};
+        const GatherSolution solution{prepared_.cache, prepared_.sources, guide, kNone, reflected_, dvec3(0), prepared_.balance.version()};
         std::vector<double> found;
         for (int y = 0; y < light_.size().y; ++y)
             for (int x = 0; x < light_.size().x; ++x)
@@ -84,10 +76,7 @@ public:
     }
 
 private:
-    scene::Snapshot snapshot_;
-    RoomCache cache_;
-    Sources sources_;
-    LightBalance balance_;
+    testing::Prepared prepared_;
     std::vector<dvec3> reflected_;
     PixelLight light_;
     GatherGuide guide_;
@@ -254,15 +243,10 @@ TEST(GatherGuide, ARingShinesFromAllOfItsSurface) {
     const std::vector<dvec3> places = room.places();
     ASSERT_EQ(found.size(), 64u * 36u);
     const scene::Object& ring = scene.objects.back();
-    const dmat4 worldFromMesh = scene::worldFromMesh(ring);
     double truth = 0, sum = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
         sum += found[i];
-        for (const uvec3& t : ring.mesh->triangles) {
-            const auto corner = [&](int c) { return transformPoint(worldFromMesh, dvec3(ring.mesh->positionsMesh[t[c]])); };
-            const Polygon triangle{corner(0), corner(1), corner(2)};
-            if (planeOf(triangle).height(places[i]) > 0) truth += 5 * glm::pi<double>() * pointFormFactor(places[i], {0, -1, 0}, triangle);
-        }
+        truth += 5 * glm::pi<double>() * testing::meshFormFactor(ring, places[i], {0, -1, 0});
     }
     EXPECT_GT(truth / static_cast<double>(found.size()), 0.5);
     EXPECT_NEAR(sum / truth, 1, 0.005) << "by the emission of patches it is too dark";

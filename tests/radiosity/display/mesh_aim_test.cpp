@@ -10,18 +10,13 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "techniques/foundation/scene/model/shapes.h"
-#include "techniques/radiosity/form_factors/point_form_factor.h"
+#include "tests/radiosity/lone_mesh.h"
 #include "tests/radiosity/quasirandom.h"
-#include "tests/support/scenes.h"
 
 namespace shadowlab::radiosity {
 namespace {
 
-scene::Object objectOf(scene::Mesh mesh, const dmat4& worldFromObject = dmat4(1)) {
-    scene::Scene scene;
-    scene.materials.emplace_back();
-    return testing::addObject(scene, std::move(mesh), worldFromObject);
-}
+using testing::objectOf;
 
 TEST(MeshAim, BallsFillTheirSpheresAndRingsDoNot) {
     EXPECT_TRUE(MeshAim(objectOf(scene::makeSphere(0.5, 48))).usesSpheres());
@@ -38,7 +33,7 @@ TEST(MeshAim, PointsAreChosenAsOftenAsTheirDensitySays) {
     const MeshAim aim(ring);
     const dvec3 from(1.1, 2.6, 3), down(0, -1, 0);
     constexpr int kChoices = 400'000;
-    double found = 0, truth = 0;
+    double found = 0;
     for (int i = 0; i < kChoices; ++i) {
         const auto x = testing::quasirandom4(i);
         const auto way = aim.choose(from, x[0], {x[1], x[2]});
@@ -52,12 +47,7 @@ TEST(MeshAim, PointsAreChosenAsOftenAsTheirDensitySays) {
             EXPECT_EQ(aim.density(from, way->direction, 2 * way->distance, 0.5), aim.density(from, way->direction, way->distance, 0.5) * 4);
         }
     }
-    const dmat4 worldFromMesh = scene::worldFromMesh(ring);
-    for (const uvec3& t : ring.mesh->triangles) {
-        const auto corner = [&](int c) { return transformPoint(worldFromMesh, dvec3(ring.mesh->positionsMesh[t[c]])); };
-        const Polygon triangle{corner(0), corner(1), corner(2)};
-        if (planeOf(triangle).height(from) > 0) truth += glm::pi<double>() * pointFormFactor(from, down, triangle);
-    }
+    const double truth = glm::pi<double>() * testing::meshFormFactor(ring, from, down);
     EXPECT_GT(truth, 0.1);
     EXPECT_NEAR(found / truth, 1, 0.01) << "sides by the torus, which the mesh's faces follow to some degrees";
 }
