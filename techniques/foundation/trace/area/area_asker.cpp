@@ -49,7 +49,7 @@ AreaShare AreaVisibility::Asker::ask(const SurfacePoint& point, double move) {
     if (!lookFrom(point, move))
         return {owner_.tracer_.visibility(point, owner_.number_) == Visibility::lit ? 1.0 : 0.0, 1.0};
     double visible = 0;
-    pieces_.cut(outline_, contours_, [&](std::span<const dvec2> polygon) {
+    pieces_.cut(outline_, borders_, contours_, [&](std::span<const dvec2> polygon) {
         const LightPiece piece(seen_, polygon);
         if (piece.area() > 0) visible += piece.area() * seenOf(piece, polygon, dvec3(0.0)).area;
     });
@@ -64,16 +64,25 @@ AreaIrradiance AreaVisibility::Asker::askIrradiance(const SurfacePoint& point, c
     AreaIrradiance answer;
     if (outline_.size() < 3) return {receives ? 0.0 : 1.0, 0.0, 0.0};
     const Contour horizon{seen_.product(normalWorld)}; // of the normal
-    const std::vector<dvec2> aboveHorizon = keptPart(outline_, horizon.line);
+    std::vector<dvec2> aboveHorizon = outline_;
+    keepPart(aboveHorizon, horizon.line);
     if (aboveHorizon.size() >= 3) answer.unshadowed = irradianceOf(LightPiece(seen_, aboveHorizon), normalWorld);
     if (!receives) return {1.0, answer.unshadowed, answer.unshadowed};
-    if (contours_.empty() && obstacles_->perforated.empty()) { // either all of it is seen, or nothing
+    if (contours_.empty() && obstacles_->perforated.empty()) { // either all within the borders is seen, or nothing
+        for (const dvec3& border : borders_) keepPart(outline_, border);
         const LightPiece whole(seen_, outline_);
         if (!(whole.area() > 0) || !isFree(whole.middle())) return {0.0, 0.0, answer.unshadowed};
-        return {std::clamp(whole.area() / seen_.area, 0.0, 1.0), answer.unshadowed, answer.unshadowed};
+        answer.visible = std::clamp(whole.area() / seen_.area, 0.0, 1.0);
+        answer.irradiance = answer.unshadowed;
+        if (borders_.empty()) return answer;
+        aboveHorizon = outline_;
+        keepPart(aboveHorizon, horizon.line);
+        const double irradiance = aboveHorizon == outline_ ? irradianceOf(whole, normalWorld) : irradianceOf(LightPiece(seen_, aboveHorizon), normalWorld);
+        answer.irradiance = std::min(irradiance, answer.unshadowed);
+        return answer;
     }
     contours_.push_back(horizon); // each piece is above it or below
-    pieces_.cut(outline_, contours_, [&](std::span<const dvec2> polygon) {
+    pieces_.cut(outline_, borders_, contours_, [&](std::span<const dvec2> polygon) {
         const LightPiece piece(seen_, polygon);
         if (!(piece.area() > 0)) return;
         const Seen seen = seenOf(piece, polygon, normalWorld);
@@ -99,6 +108,8 @@ bool AreaVisibility::Asker::lookFrom(const SurfacePoint& point, double move) {
     move_ = move;
     change_ = 0;
     contours_.clear();
+    chords_.clear();
+    borders_.clear();
     outline_.clear();
     const dvec3 toLight = owner_.centreCentred_ - positionCentred_;
     const std::optional<SeenLight> seen = seenLight(owner_.light_, toLight);
@@ -110,7 +121,7 @@ bool AreaVisibility::Asker::lookFrom(const SurfacePoint& point, double move) {
     const dvec3 elevation = seen_.product(up);
     outline_.assign(seen_.outline.begin(), seen_.outline.end());
     if (elevation.z < seen_.range(elevation)) {
-        outline_ = keptPart(seen_.outline, elevation);
+        keepPart(outline_, elevation);
         // A rect stays where it is, and the plane, too. A disc turns with the point, by less than it moves over its distance;
         // a chord is at most 2/pi of the area times the radius, so four makes more than twice of it.
         if (seen_.isDisc) change_ += 4 * move_ / glm::length(toLight);
@@ -118,6 +129,7 @@ bool AreaVisibility::Asker::lookFrom(const SurfacePoint& point, double move) {
     if (outline_.size() < 3) return true; // all of it is below
     addLines();
     addCrossings();
+    mindCuts();
     if (move_ > 0) mindWhatIsNear(up);
     return true;
 }
@@ -137,24 +149,26 @@ double AreaVisibility::Asker::heightOver(const Triangle& triangle) const {
     return glm::dot(frontOf(triangle), positionCentred_ - triangle.a);
 }
 
-/// Adds what of edges and of cuts into a sphere is seen before the light.
+/// Adds what of edges is seen before the light, and finds the chords of cuts that are.
 void AreaVisibility::Asker::addLines() {
     const LightPlane plane(seen_);
     for (const std::uint32_t number : obstacles_->edges) {
         const SurfaceEdges::Edge& edge = owner_.edges_.edge(number);
-        addLine(plane, edge.firstCentred, edge.secondCentred, [&] { return turnAt(edge) != 0; });
+        if (comesBefore(plane, edge.firstCentred, edge.secondCentred, [&] { return turnAt(edge) != 0; }))
+            addContour(edge.firstCentred, edge.secondCentred);
     }
     for (const std::uint32_t number : obstacles_->cuts) {
-        const SphereCut& cut = owner_.cuts_[number];
-        addLine(plane, cut.firstCentred, cut.secondCentred, [&] { return !isLeft(cut.primitive); });
+        const SphereCut& cut = owner_.cuts_.chords()[number];
+        if (comesBefore(plane, cut.firstCentred, cut.secondCentred, [&] { return !isLeft(cut.primitive); }))
+            chords_.push_back(number);
     }
 }
 
+/// Whether a part of the line from one place to the other is seen before the light, or not far beside it, and is a contour.
 template <typename IsContour>
-void AreaVisibility::Asker::addLine(const LightPlane& plane, const dvec3& firstCentred, const dvec3& secondCentred, const IsContour& isContour) {
+bool AreaVisibility::Asker::comesBefore(const LightPlane& plane, const dvec3& firstCentred, const dvec3& secondCentred, const IsContour& isContour) {
     const dvec3 first = firstCentred - positionCentred_, second = secondCentred - positionCentred_;
     const dvec2 half = (1 + kMargin) * seen_.half;
-    // The part of it that is seen before the light and some way around.
     const double atFirst = glm::dot(plane.depth, first), atSecond = glm::dot(plane.depth, second);
     Part part;
     part.keep(1 - atFirst, 1 - atSecond);
@@ -164,10 +178,8 @@ void AreaVisibility::Asker::addLine(const LightPlane& plane, const dvec3& firstC
     part.keep(half.x * atFirst + u.x, half.x * atSecond + u.y);
     part.keep(half.y * atFirst - v.x, half.y * atSecond - v.y);
     part.keep(half.y * atFirst + v.x, half.y * atSecond + v.y);
-    if (part.begin > part.end || !isContour()) return;
-    const dvec3 normal = glm::cross(first, second);
-    contours_.push_back({seen_.product(normal), seen_.product(glm::cross(normal, first)), seen_.product(glm::cross(second, normal))});
-    if (!(move_ > 0)) return;
+    if (part.begin > part.end || !isContour()) return false;
+    if (!(move_ > 0)) return true;
     // What stands at a share t of the way moves by (1 - t) / t on the light's plane, against the point, and more where that
     // is seen aslant; the disc of a sphere itself moves by less than the point. To first order a contour sweeps its length
     // times its way; twice that is well beyond.
@@ -176,6 +188,22 @@ void AreaVisibility::Asker::addLine(const LightPlane& plane, const dvec3& firstC
     const double length = glm::length(glm::mix(first, second, part.begin) / atBegin - glm::mix(first, second, part.end) / atEnd);
     const double swept = std::min(length, seen_.diameter()) * move_ * farthestOnLight() * glm::length(plane.depth) * (1 / nearest);
     change_ += nearest > 0 ? 2 * swept / (seen_.area * plane.unitArea) : 1;
+    return true;
+}
+
+void AreaVisibility::Asker::addContour(const dvec3& firstCentred, const dvec3& secondCentred) {
+    const dvec3 first = firstCentred - positionCentred_, second = secondCentred - positionCentred_, normal = glm::cross(first, second);
+    contours_.push_back({seen_.product(normal), seen_.product(glm::cross(normal, first)), seen_.product(glm::cross(second, normal))});
+}
+
+/// Where chords of cuts bound one convex part of the sphere, they are borders of what is seen; else they are contours.
+void AreaVisibility::Asker::mindCuts() {
+    const bool areBorders = obstacles_->perforated.empty() && owner_.cuts_.boundOneConvexPart(chords_, positionCentred_);
+    for (const std::uint32_t number : chords_)
+        if (!areBorders)
+            addContour(owner_.cuts_.chords()[number].firstCentred, owner_.cuts_.chords()[number].secondCentred);
+        else if (const dvec3 inward = owner_.cuts_.inward(number, positionCentred_); inward != dvec3(0.0))
+            borders_.push_back(seen_.product(inward));
 }
 
 /// Handles triangles so near that they might come before the light from outside of the margin in which contours are

@@ -35,7 +35,9 @@ private:
     void addLines();
     /// `isContour()` is asked last: whether the line from one place to the other is one for this point.
     template <typename IsContour>
-    void addLine(const LightPlane& plane, const dvec3& firstCentred, const dvec3& secondCentred, const IsContour& isContour);
+    bool comesBefore(const LightPlane& plane, const dvec3& firstCentred, const dvec3& secondCentred, const IsContour& isContour);
+    void addContour(const dvec3& firstCentred, const dvec3& secondCentred);
+    void mindCuts();
     void addCrossings();
     void mindWhatIsNear(const dvec3& up);
     [[nodiscard]] double farthestOnLight() const;
@@ -54,6 +56,8 @@ private:
     std::optional<bool> allFree_;
     UniformPieces pieces_;
     std::vector<Contour> contours_;
+    std::vector<std::uint32_t> chords_; ///< of cuts that are seen before the light
+    std::vector<dvec3> borders_;        ///< lines of chords that are no contours (UniformPieces::cut)
     // Of the point that asks.
     SurfacePoint point_;
     dvec3 positionCentred_{0.0};

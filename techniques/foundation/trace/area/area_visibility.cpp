@@ -51,9 +51,10 @@ AreaVisibility::AreaVisibility(const SceneTracer& tracer, int light)
     const std::span<const std::uint8_t> casters = tracer.castersFor(light);
     casts_.assign(casters.begin(), casters.end());
     if (light_.type != scene::LightType::sphere) return;
+    cuts_ = SphereCuts(centreCentred_, light_.radius);
     const Shaft around(box_, box_); // what touches the light's box
     for (const std::uint32_t primitive : around.triangles(tracer.bvh(), [&](std::uint32_t candidate) { return casts_[candidate] != 0; }))
-        addSphereCuts(tracer.bvh().triangles[primitive], primitive, centreCentred_, light_.radius, cuts_);
+        cuts_.add(tracer.bvh().triangles[primitive], primitive);
 }
 
 double AreaVisibility::share(const SurfacePoint& point) const {
@@ -98,7 +99,8 @@ void AreaVisibility::askAll(Group& group) const {
 /// Splits the points where that leaves fewer obstacles for each half.
 void AreaVisibility::ask(Group& group, std::span<std::uint32_t> members, const Bounds& bounds,
                          const Obstacles& obstacles, Asker& asker) const {
-    if (members.size() <= kFewPoints || obstacles.count() <= kFewObstacles)
+    // Chords of cuts are about as many for each part of the points.
+    if (members.size() <= kFewPoints || obstacles.count() - obstacles.cuts.size() <= kFewObstacles)
         return askTogether(group, members, obstacles, asker);
     const dvec3 size = bounds.box.upper - bounds.box.lower;
     const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);

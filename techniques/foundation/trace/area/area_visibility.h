@@ -81,7 +81,7 @@ private:
     CentredBox box_;                  ///< of the light
     std::vector<std::uint8_t> casts_; ///< of each triangle: SceneTracer::castersFor()
     SurfaceEdges edges_;
-    std::vector<SphereCut> cuts_; ///< of all triangles that cast, if the light is a sphere
+    SphereCuts cuts_; ///< of all triangles that cast, if the light is a sphere
 
     /// That margin, in shares of the light's size beyond its border.
     static constexpr double kMargin = 0.25;

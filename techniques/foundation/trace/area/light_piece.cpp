@@ -30,10 +30,21 @@ dvec2 withinCircle(dvec2 begin, dvec2 end) {
     const dvec2 way = end - begin;
     const double squared = glm::dot(way, way);
     if (!(squared > 0)) return {0, 0};
+    if (glm::dot(begin, begin) <= 1 && glm::dot(end, end) <= 1) return {0, 1};
     const double aside = crossOf(begin, way) / std::sqrt(squared); // of the line, from the middle
     const double halfChord = std::sqrt(std::max((1 - aside) * (1 + aside), 0.0) / squared);
     const double nearest = -glm::dot(begin, way) / squared;
     return {std::max(nearest - halfChord, 0.0), std::min(nearest + halfChord, 1.0)};
+}
+
+// The square of a tangent below which its series is right to the rounding of double, with as many terms as there are.
+constexpr double kShort = 0.01;
+
+/// atan(x) / x by the square of x.
+double arcOverTangent(double squared) {
+    double sum = 0;
+    for (int term = 15; term >= 1; term -= 2) sum = 1.0 / term - squared * sum;
+    return sum;
 }
 
 } // namespace
@@ -105,8 +116,10 @@ dvec3 LightPiece::vectorIrradiance() const {
 /// The integral of r x dr: a straight side is seen as a part of a great circle.
 dvec3 LightPiece::alongSide(dvec2 begin, dvec2 end) const {
     const dvec3 from = seen_.toward(begin), to = seen_.toward(end), normal = glm::cross(from, to);
-    const double length = glm::length(normal);
-    return length > 0 ? std::atan2(length, glm::dot(from, to)) / length * normal : dvec3(0.0);
+    const double along = glm::dot(from, to), squared = glm::dot(normal, normal);
+    if (along > 0 && squared < kShort * along * along) return arcOverTangent(squared / (along * along)) / along * normal;
+    const double length = std::sqrt(squared);
+    return length > 0 ? std::atan2(length, along) / length * normal : dvec3(0.0);
 }
 
 /// The same along the circle, which is seen around the way a to its middle: with r = cos a + sin (cos t u + sin t v), the cone's

@@ -98,8 +98,8 @@ AreaVisibility::Obstacles::Obstacles(const AreaVisibility& owner, const Bounds& 
         for (const std::uint32_t edge : owner.edges_.ofPrimitive(primitive))
             if (filter.mayBeContour(edge)) edges.push_back(edge);
     }
-    for (std::uint32_t cut = 0; cut < owner.cuts_.size(); ++cut)
-        if (filter.mayMatter(owner.cuts_[cut])) cuts.push_back(cut);
+    for (std::uint32_t cut = 0; cut < owner.cuts_.chords().size(); ++cut)
+        if (filter.mayMatter(owner.cuts_.chords()[cut])) cuts.push_back(cut);
     std::ranges::sort(edges); // each comes from all of its triangles
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
@@ -110,7 +110,7 @@ AreaVisibility::Obstacles AreaVisibility::Obstacles::narrowed(const AreaVisibili
     for (const std::uint32_t edge : edges)
         if (filter.mayBeContour(edge)) left.edges.push_back(edge);
     for (const std::uint32_t cut : cuts)
-        if (filter.mayMatter(owner.cuts_[cut])) left.cuts.push_back(cut);
+        if (filter.mayMatter(owner.cuts_.chords()[cut])) left.cuts.push_back(cut);
     for (const std::uint32_t primitive : near)
         if (filter.mayMatter(primitive) && filter.isNear(filter.triangleOf(primitive))) left.near.push_back(primitive);
     for (const std::uint32_t primitive : perforated)

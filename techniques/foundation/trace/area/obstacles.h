@@ -12,10 +12,6 @@
 
 namespace shadowlab::trace {
 
-// Lower than this share of the light's distance above a point's plane, a triangle is in that plane: rounding of coordinates is
-// a thousand times smaller, and what it could hide of the light no larger.
-constexpr double kInPlane = 1e-12;
-
 /// Where a group of points is. All in centred space.
 struct AreaVisibility::Bounds {
     /// The plane of a point's triangle: what lies below hides nothing from the point.
@@ -40,7 +36,7 @@ public:
     [[nodiscard]] std::size_t count() const { return edges.size() + cuts.size() + near.size() + perforated.size(); }
 
     std::vector<std::uint32_t> edges;      ///< that may be contours for one of the points
-    std::vector<std::uint32_t> cuts;       ///< likewise: of AreaVisibility::cuts_
+    std::vector<std::uint32_t> cuts;       ///< likewise: chords of AreaVisibility::cuts_
     std::vector<std::uint32_t> near;       ///< triangles that may touch the light, or a point
     std::vector<std::uint32_t> perforated; ///< triangles with holes
 

@@ -9,6 +9,10 @@
 
 namespace shadowlab::trace {
 
+// Lower than this share of the light's distance above a point's plane, a triangle is in that plane: rounding of coordinates is
+// a thousand times smaller, and what it could hide of the light no larger.
+constexpr double kInPlane = 1e-12;
+
 /// Axis-aligned, in centred space.
 struct CentredBox {
     dvec3 lower{std::numeric_limits<double>::infinity()}, upper{-std::numeric_limits<double>::infinity()};

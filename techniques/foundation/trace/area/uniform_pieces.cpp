@@ -81,23 +81,34 @@ dvec2 centroidOf(std::span<const dvec2> polygon) {
     return weight > 0 ? polygon[0] + sum / weight : polygon[0];
 }
 
-std::vector<dvec2> keptPart(std::span<const dvec2> polygon, const dvec3& function) {
-    std::vector<dvec2> kept;
+void keepPart(std::vector<dvec2>& polygon, const dvec3& function) {
+    thread_local std::vector<dvec2> kept; // asked many times for each point
+    kept.clear();
     clip(
         polygon.size(), [&](std::size_t i) { return polygon[i]; }, function, 1.0,
         [&](dvec2 corner) { kept.push_back(corner); });
-    return kept;
+    polygon.swap(kept);
 }
 
-void UniformPieces::cut(std::span<const dvec2> outline, std::span<const Contour> contours, const Visit& visit) {
+void UniformPieces::cut(std::span<const dvec2> outline, std::span<const dvec3> borders, std::span<const Contour> contours, const Visit& visit) {
     contours_ = contours;
     visit_ = &visit;
     corners_.assign(outline.begin(), outline.end());
     parts_.clear();
-    const Range whole{0, corners_.size()};
+    Range within{0, corners_.size()};
     for (std::size_t i = 0; i < contours.size(); ++i)
-        addPart(static_cast<std::uint32_t>(i), whole);
-    settle(whole, {0, parts_.size()}, 0);
+        addPart(static_cast<std::uint32_t>(i), within);
+    Range parts{0, parts_.size()};
+    for (const dvec3& border : borders) {
+        const std::size_t cornersThere = corners_.size(), partsThere = parts_.size();
+        if (const Range beyond = stillWithin(parts, partsThere, border, -1); beyond.count > 0)
+            settle(keptSide(within, border, -1), beyond, 0);
+        corners_.resize(cornersThere);
+        parts_.resize(partsThere);
+        within = keptSide(within, border, 1);
+        parts = stillWithin(parts, partsThere, border, 1);
+    }
+    settle(within, parts, 0);
 }
 
 /// If any of it lies within the piece.

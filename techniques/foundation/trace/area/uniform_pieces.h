@@ -24,7 +24,9 @@ public:
     using Visit = std::function<void(std::span<const dvec2>)>;
     /// Calls visit(piece) for convex pieces that make up the outline; all are counter-clockwise, as it must be. Pieces that
     /// are only rounding errors wide may be left out.
-    void cut(std::span<const dvec2> outline, std::span<const Contour> contours, const Visit& visit);
+    /// `borders`: lines around a convex part, where their functions are not negative. What is beyond them is left out as far as no
+    /// contour lies there: along a border it must be nothing that is to be visited.
+    void cut(std::span<const dvec2> outline, std::span<const dvec3> borders, std::span<const Contour> contours, const Visit& visit);
 
 private:
     struct Range {
@@ -55,7 +57,7 @@ double areaOf(std::span<const dvec2> polygon);
 /// The centroid of the polygon.
 dvec2 centroidOf(std::span<const dvec2> polygon);
 
-/// The part of a convex polygon where the function is not negative.
-std::vector<dvec2> keptPart(std::span<const dvec2> polygon, const dvec3& function);
+/// Cuts off the part of a convex polygon where the function is negative.
+void keepPart(std::vector<dvec2>& polygon, const dvec3& function);
 
 } // namespace shadowlab::trace
