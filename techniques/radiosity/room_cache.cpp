@@ -238,7 +238,7 @@ bool RoomCache::advanceLights(Deadline deadline) {
 
 const MeshAim& RoomCache::aimOf(std::uint32_t object) const {
     const auto found = aims_.find(object);
-    return found != aims_.end() ? found->second : aims_.emplace(object, roomSnapshot_->objects[object]).first->second;
+    return found != aims_.end() ? found->second : aims_.try_emplace(object, *roomSnapshot_, roomSnapshot_->objects[object]).first->second;
 }
 
 std::vector<const DirectLight*> RoomCache::lights() const {

@@ -74,7 +74,7 @@ double shareByChance(const GatherGuide& guide, const trace::SceneTracer& tracer,
                      const std::optional<std::uint32_t>& patchThere, double distance) {
     if (!from.patch || !patchThere) return 1;
     const double cosineHere = glm::dot(direction, from.normal), cosineThere = -glm::dot(direction, geometricNormal(tracer, met));
-    const double byChoice = guide.density(*from.patch, tracer.positionWorld(from.point), direction, {*patchThere, distance, cosineThere});
+    const double byChoice = guide.density(*from.patch, tracer.positionWorld(from.point), direction, {*patchThere, distance, cosineThere, tracer.world().triangleInMesh(met.primitive)});
     return balanced(cosineHere / glm::pi<double>(), byChoice);
 }
 

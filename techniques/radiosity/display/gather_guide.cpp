@@ -81,11 +81,12 @@ GatherGuide::GatherGuide(const RoomCache& cache, const Sources& sources, std::sp
         emitted[j] = luminance(sources.emission[j]);
     }
     for (const std::uint32_t object : brightMeshes(*room_, sent))
-        meshes_.push_back({object, &cache.aimOf(object)});
+        addMesh(cache, object, sent);
+    const std::size_t targets = meshes_.empty() ? count : meshes_.back().first + meshes_.back().aim->groups();
     for (std::uint32_t j = 0; j < count; ++j) {
         const std::uint32_t object = room_->faceOf(room_->patches()[j]).object;
         const auto mesh = std::ranges::find(meshes_, object, &Mesh::object);
-        if (mesh != meshes_.end()) targets_[j] = count + static_cast<std::uint32_t>(mesh - meshes_.begin());
+        if (mesh != meshes_.end()) targets_[j] = mesh->first;
         if (!room_->isSimplified(object)) targets_[j] = j;
         spreads_.push_back(targets_[j] == j ? spreadOf(cache, sources, j, sent[j]) : std::nullopt);
     }
@@ -94,17 +95,45 @@ GatherGuide::GatherGuide(const RoomCache& cache, const Sources& sources, std::sp
         const Patch& patch = room_->patches()[i];
         const std::span<const double> row = exchange.row(i), from = isOpen(static_cast<std::uint32_t>(i)) ? emitted : sent;
         if (relativeVariance(row, patch.area, from, sky, room_->surroundings()[i]) <= kUneven) return;
-        std::vector<double> sums(count + meshes_.size());
+        std::vector<double> sums(targets);
         for (std::size_t j = 0; j < count; ++j)
             if (targets_[j] != kNone) sums[targets_[j]] += row[j] * from[j];
-        for (std::size_t m = 0; m < meshes_.size(); ++m)
-            if (!meshes_[m].aim->isFoundFrom(room_->world().originWorld + patch.centre)) sums[count + m] = 0;
+        for (const Mesh& mesh : meshes_)
+            shareOut(static_cast<std::uint32_t>(i), mesh, std::span(sums).subspan(mesh.first, mesh.aim->groups()));
         for (std::size_t j = 1; j < sums.size(); ++j)
             sums[j] += sums[j - 1];
         if (!(sums.back() > 0)) return;
         upTo_[i].resize(sums.size());
         std::ranges::transform(sums, upTo_[i].begin(), [&](double one) { return static_cast<float>(one / sums.back()); });
     });
+}
+
+/// `sent`: the luminance of each of Room::patches().
+void GatherGuide::addMesh(const RoomCache& cache, std::uint32_t object, std::span<const double> sent) {
+    const auto first = meshes_.empty() ? sent.size() : meshes_.back().first + meshes_.back().aim->groups();
+    Mesh mesh{object, &cache.aimOf(object), static_cast<std::uint32_t>(first)};
+    double all = 0, area = 0;
+    for (std::size_t j = 0; j < sent.size(); ++j)
+        if (const Patch& patch = room_->patches()[j]; room_->faceOf(patch).object == object) all += patch.area * sent[j], area += patch.area;
+    mesh.reflected = std::max(all - mesh.aim->emitted(), 0.0) / area;
+    meshes_.push_back(mesh);
+}
+
+/// Gives each group its part of what comes from the whole mesh, which is in the first of them.
+void GatherGuide::shareOut(std::uint32_t at, const Mesh& mesh, std::span<double> targets) const {
+    const Patch& patch = room_->patches()[at];
+    const Receiver receiver{room_->world().originWorld + patch.centre, patch.normal, patch.area};
+    const double all = targets.front();
+    double sum = 0;
+    for (std::size_t g = 0; g < targets.size(); ++g)
+        sum += targets[g] = mesh.aim->likely(g, receiver, mesh.reflected);
+    for (double& target : targets) target *= sum > 0 ? all / sum : 0;
+}
+
+/// Whose group that is; none: it is a patch.
+const GatherGuide::Mesh* GatherGuide::meshOf(std::uint32_t target) const {
+    if (target < room_->patches().size()) return nullptr;
+    return &*std::prev(std::ranges::upper_bound(meshes_, target, {}, &Mesh::first));
 }
 
 /// `sent`: the luminance of all that the patch sends.
@@ -149,11 +178,10 @@ double GatherGuide::densityOfPoint(std::uint32_t at, std::uint32_t patch, const 
 
 std::optional<GatherGuide::Way> GatherGuide::choose(std::uint32_t at, const dvec3& fromWorld, double which, const dvec2& where) const {
     const auto [target, rest] = chosenOf(upTo_[at], which);
-    if (target >= room_->patches().size()) {
-        const Mesh& mesh = meshes_[target - room_->patches().size()];
-        const auto way = mesh.aim->choose(fromWorld, rest, where);
+    if (const Mesh* mesh = meshOf(target)) {
+        const auto way = mesh->aim->choose(target - mesh->first, fromWorld, rest, where);
         if (!way) return std::nullopt;
-        return Way{way->direction, share(at, target) * way->density, way->distance, mesh.aim->usesSpheres() ? std::optional(mesh.object) : std::nullopt};
+        return Way{way->direction, share(at, target) * way->density, way->distance, mesh->aim->usesSpheres() ? std::optional(mesh->object) : std::nullopt};
     }
     const Patch& patch = room_->patches()[target];
     const Spread* by = spread(at, target);
@@ -171,7 +199,10 @@ std::optional<GatherGuide::Way> GatherGuide::choose(std::uint32_t at, const dvec
 double GatherGuide::density(std::uint32_t at, const dvec3& fromWorld, const dvec3& direction, const Found& found) const {
     const std::uint32_t target = targets_[found.patch];
     if (target == kNone) return 0;
-    if (target >= room_->patches().size()) return share(at, target) * meshes_[target - room_->patches().size()].aim->density(fromWorld, direction, found.distance, found.cosineThere);
+    if (const Mesh* mesh = meshOf(target)) {
+        const std::uint32_t group = mesh->aim->groupOf(found.triangleInMesh);
+        return share(at, mesh->first + group) * mesh->aim->density(group, fromWorld, direction, found.distance, found.cosineThere);
+    }
     return densityOfDirection(densityOfPoint(at, target, fromWorld + found.distance * direction), found.distance, found.cosineThere);
 }
 

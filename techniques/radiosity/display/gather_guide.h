@@ -6,7 +6,7 @@
 // where photons came from), and both kinds are weighed by how likely each is to find a point (E. Veach and L. Guibas, "Optimally Combining Sampling
 // Techniques for Monte Carlo Rendering", SIGGRAPH 1995: the balance heuristic).
 // Within a patch, points are chosen in proportion to the direct light of its cells (patch_cells.h), as its mean says nothing of the edge of a spot on it. Patches
-// of a simplified mesh lie beside the surface that rays meet: for all of them together one ray to the mesh is chosen (mesh_aim.h).
+// of a simplified mesh lie beside the surface that rays meet: there rays to the mesh itself are chosen (mesh_aim.h).
 // Where light comes from all sides, rays in all directions find it well enough, and none is chosen. And under the open sky only what patches emit is
 // found on purpose: what they reflect is little there, and while rays do not depend on the lights, pictures by each of them add up to that by all to
 // the last bit. In rooms they add up but for noise.
@@ -54,11 +54,19 @@ public:
     struct Found {
         std::uint32_t patch = 0;
         double distance = 0, cosineThere = 0; ///< metres; of the ray and the normal there
+        std::uint32_t triangleInMesh = 0;     ///< of the object's own mesh
     };
     /// Where isUneven(): the density with which that direction is chosen such that this is met, 1/sr; 0: never.
     [[nodiscard]] double density(std::uint32_t at, const dvec3& fromWorld, const dvec3& direction, const Found& found) const;
 
 private:
+    /// A simplified one that is bright.
+    struct Mesh {
+        std::uint32_t object;
+        const MeshAim* aim;
+        std::uint32_t first;  ///< of its groups, as a target
+        double reflected = 0; ///< MeshAim::likely
+    };
     /// Where on a patch the light of lights arrives, and light that is followed along paths, if not alike everywhere.
     struct Spread {
         PatchCells cells;
@@ -66,6 +74,9 @@ private:
         double share; ///< so many points are chosen by it, the others alike everywhere
     };
     [[nodiscard]] static std::optional<Spread> spreadOf(const RoomCache& cache, const Sources& sources, std::uint32_t patch, double sent);
+    void addMesh(const RoomCache& cache, std::uint32_t object, std::span<const double> sent);
+    void shareOut(std::uint32_t at, const Mesh& mesh, std::span<double> targets) const;
+    [[nodiscard]] const Mesh* meshOf(std::uint32_t target) const;
     [[nodiscard]] bool isOpen(std::uint32_t at) const;
     [[nodiscard]] const Spread* spread(std::uint32_t at, std::uint32_t patch) const;
     [[nodiscard]] double share(std::uint32_t at, std::uint32_t target) const;
@@ -73,12 +84,9 @@ private:
 
     const Room* room_ = nullptr;
     std::vector<std::optional<Spread>> spreads_; ///< of each of Room::patches()
-    struct Mesh {
-        std::uint32_t object;
-        const MeshAim* aim;
-    };
-    std::vector<Mesh> meshes_; ///< simplified ones that are bright
-    /// Of each of Room::allPatches(): what is chosen where it would be, itself, or after all of Room::patches() one of meshes_; kNone: nothing.
+    std::vector<Mesh> meshes_;
+    /// Of each of Room::allPatches(): what is chosen where it would be: the patch, or any target of a mesh; kNone: nothing. Targets are Room::patches(), and after
+    /// these the groups of all meshes_.
     std::vector<std::uint32_t> targets_;
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
     /// Of each patch: the share of its light that comes from each of the targets and those before it; empty where it is not uneven.
