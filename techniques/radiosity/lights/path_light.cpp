@@ -28,6 +28,9 @@ constexpr std::size_t kTogether = 8;
 constexpr double kCells = 1e5;
 constexpr std::size_t kMostOnSide = 48, kLeastOnSide = 4;
 
+// Of the square of the side of a cell of simplified meshes, this share is what its triangles measure when they are cut once.
+constexpr double kLeastOfCell = 0.25;
+
 /// The surface of a ball over that of its mesh, whose flat faces lie within it: as much more they must send, to send what the ball does.
 double meshFactor(const scene::Light& lamp, const scene::Object& surface) {
     return lamp.type == scene::LightType::sphere ? 4 * glm::pi<double>() * lamp.radius * lamp.radius / surfaceArea(surface) : 1;
@@ -144,10 +147,37 @@ void PathLightBuilder::merge(std::size_t piece) {
         found_.ofCells[c] += arriving.atCells[c];
 }
 
+/// From what arrives at each patch, W. A simplified mesh lies beside what is drawn, by up to a cell of its own, so a small patch may be the nearest to a surface of many times
+/// its area: what arrives there is shared by all of its face, and if that is small, too, by all of the object.
+std::vector<dvec3> PathLightBuilder::irradianceOf(const std::vector<dvec3>& watts) const {
+    struct Shared {
+        dvec3 watts{0.0};
+        double area = 0;
+        void add(const dvec3& more, double areaThere) { watts += more, area += areaThere; }
+        [[nodiscard]] dvec3 irradiance() const { return watts / area; }
+    };
+    const std::vector<Patch>& patches = room_.patches();
+    const auto areaOf = [&](const Patch& patch) { return patch.area * room_.areaFactor(patch); };
+    std::map<std::size_t, Shared> faces, objects;
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        faces[patches[i].face].add(watts[i], areaOf(patches[i]));
+        objects[room_.faceOf(patches[i]).object].add(watts[i], areaOf(patches[i]));
+    }
+    const double least = kLeastOfCell * room_.simple().cellMetres * room_.simple().cellMetres;
+    std::vector<dvec3> irradiance(patches.size());
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        const std::uint32_t object = room_.faceOf(patches[i]).object;
+        const Shared own{watts[i], areaOf(patches[i])}, &face = faces[patches[i].face];
+        const bool isLarge = !room_.isSimplified(object) || own.area >= least;
+        irradiance[i] = (isLarge ? own : face.area >= least ? face : objects[object]).irradiance();
+    }
+    return irradiance;
+}
+
 PathLight PathLightBuilder::take() {
-    for (std::size_t i = 0; i < found_.irradiance.size(); ++i) {
+    found_.irradiance = irradianceOf(found_.irradiance);
+    for (std::size_t i = 0; i < found_.cells.size(); ++i) {
         const Patch& patch = room_.patches()[i];
-        found_.irradiance[i] /= patch.area * room_.areaFactor(patch);
         if (!found_.cells[i]) continue;
         const std::vector<double> areas = found_.cells[i]->areasIn(patch.polygon);
         for (std::size_t c = 0; c < areas.size(); ++c) {

@@ -67,6 +67,7 @@ private:
     void prepareCells();
     void follow(std::size_t piece);
     void merge(std::size_t piece);
+    [[nodiscard]] std::vector<dvec3> irradianceOf(const std::vector<dvec3>& watts) const;
 
     const Room& room_;
     const SurfaceCells& cells_;

@@ -21,6 +21,18 @@ constexpr double kOnePlane = 1e-4;
 
 double diagonal(const trace::CentredBox& box) { return glm::distance(box.lower, box.upper); }
 
+/// Those of some objects. In another plane is a wall, a hill, a sky: light is sent between them, and they are no ground.
+bool areInOnePlane(const Faces& faces, const std::vector<bool>& isOfObject) {
+    std::optional<Plane> plane;
+    return std::ranges::all_of(faces.all, [&](const Face& face) {
+        if (!isOfObject[face.object]) return true;
+        if (!plane) plane = face.plane;
+        const double slack = kOnePlane * sizeOf(face.polygon);
+        const auto isInPlane = [&](const dvec3& corner) { return std::abs(plane->height(corner)) <= slack; };
+        return std::ranges::all_of(face.polygon.corners(), isInPlane) && glm::dot(plane->normal, face.plane.normal) >= 1 - kOnePlane;
+    });
+}
+
 } // namespace
 
 Ground::Ground(const Faces& faces) {
@@ -32,33 +44,22 @@ Ground::Ground(const Faces& faces) {
     std::vector<std::uint32_t> bySize;
     for (std::uint32_t object = 0; object < boxes.size(); ++object)
         if (boxes[object].lower.x <= boxes[object].upper.x) bySize.push_back(object); // it has faces
-    if (bySize.size() < 2) return;
     std::ranges::stable_sort(bySize, {}, [&](std::uint32_t object) { return diagonal(boxes[object]); });
 
-    std::vector<bool> isOfGround(boxes.size(), false);
+    // Of what is much larger than all that is smaller: houses may be so beside a bin, and are no ground.
+    std::vector<bool> isLarge(boxes.size(), true);
     trace::CentredBox rest;
-    bool isFound = false;
     for (const std::uint32_t object : bySize) {
-        isFound = isFound || (rest.lower.x <= rest.upper.x && diagonal(boxes[object]) > kMuchLarger * diagonal(rest));
-        if (isFound)
-            isOfGround[object] = true;
-        else
-            rest = around(rest, boxes[object]);
-    }
-    if (!isFound) return;
-    std::optional<Plane> plane;
-    for (const Face& face : faces.all) {
-        if (!isOfGround[face.object]) continue;
-        if (!plane) plane = face.plane;
-        // Another plane: a wall, a hill, a sky. Light is sent between them, and they are no ground.
-        const double slack = kOnePlane * sizeOf(face.polygon);
-        if (std::ranges::any_of(face.polygon.corners(), [&](const dvec3& corner) { return std::abs(plane->height(corner)) > slack; }) ||
-            glm::dot(plane->normal, face.plane.normal) < 1 - kOnePlane)
+        const bool isMuchLarger = rest.lower.x <= rest.upper.x && diagonal(boxes[object]) > kMuchLarger * diagonal(rest);
+        if (isMuchLarger && areInOnePlane(faces, isLarge)) {
+            rest_ = rest;
+            for (const Face& face : faces.all)
+                isGround_.push_back(isLarge[face.object]);
             return;
+        }
+        isLarge[object] = false;
+        rest = around(rest, boxes[object]);
     }
-    rest_ = rest;
-    for (const Face& face : faces.all)
-        isGround_.push_back(isOfGround[face.object]);
 }
 
 double Ground::sizeAt(const Polygon& piece, double size) const {

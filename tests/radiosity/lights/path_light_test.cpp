@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "techniques/foundation/scene/load/load.h"
@@ -324,6 +325,45 @@ TEST(PathLight, ASimplifiedRingShinesAsItsMeshDoes) {
     };
     EXPECT_NEAR(onAxis(RadiosityParams::Direct::pixels), 1, 0.02);
     EXPECT_GT(std::abs(onAxis(RadiosityParams::Direct::patches) - 1), 0.05) << "it is 0.44 too bright";
+}
+
+/// An open bowl with a flat bottom, of which one sees both sides.
+scene::Mesh bowl() {
+    constexpr int kSegments = 24;
+    const std::array<dvec2, 5> profile = {dvec2(0, 0), {0.3, 0}, {0.42, 0.2}, {0.5, 0.5}, {0.52, 0.8}}; // radius and height
+    const auto place = [&](int segment, std::size_t ring) {
+        const double angle = 2 * M_PI * segment / kSegments;
+        return dvec3(profile[ring].x * std::cos(angle), profile[ring].y, profile[ring].x * std::sin(angle));
+    };
+    std::vector<dvec3> corners;
+    for (int segment = 0; segment < kSegments; ++segment)
+        for (std::size_t ring = 0; ring + 1 < profile.size(); ++ring) {
+            const dvec3 a = place(segment, ring), b = place(segment + 1, ring), c = place(segment + 1, ring + 1), d = place(segment, ring + 1);
+            corners.insert(corners.end(), {a, b, c, a, c, d});
+        }
+    return triangleSoup(corners);
+}
+
+// Where contacts cut slivers out of a simplified mesh, a path may end nearest to one of them. Nowhere arrives more than the place of the ceiling sends that gets most.
+TEST(PathLight, SliversOfSimplifiedMeshesGetNoMoreThanTheirNeighbours) {
+    scene::Scene scene = roomOf(0.7, 0.7);
+    addObject(scene, scene::makeBox({1.6, 0.7, 1.2}), translation({2, 0.35, 1.5}));
+    addObject(scene, bowl(), translation({2, 0.7, 1.5}));
+    addObject(scene, scene::makeSphere(0.15, 48), translation({2, 0.9, 1.5}));
+    scene.lights.push_back(sphereLight({2.9, 2.7, 1.8}, 0.15));
+    scene::addEmitterSurfaces(scene);
+    const Prepared room(std::move(scene), 600);
+    ASSERT_TRUE(room.cache.followed().any());
+    const double most = 0.7 * glm::pi<double>() * room.snapshot->lights[0].intensity;
+    std::size_t slivers = 0, lit = 0;
+    for (std::size_t i = 0; i < room.cache.room().patches().size(); ++i) {
+        const Patch& patch = room.cache.room().patches()[i];
+        slivers += patch.area < 1e-5;
+        lit += room.cache.pathLight().irradiance[i].x > 1e-3 * most;
+        EXPECT_LT(room.cache.pathLight().irradiance[i].x, most) << patch.area;
+    }
+    EXPECT_GT(slivers, 3u);
+    EXPECT_GT(lit, 30u);
 }
 
 } // namespace

@@ -73,6 +73,9 @@ TEST(Ground, IsOneAloneAndOutdoors) {
     scene::Scene room = emptyRoom({3, 2, 4});
     addObject(room, scene::makeBox({0.1, 0.1, 0.1}), translation({1.5, 0.05, 2}));
     EXPECT_EQ(groundFaces(room), 0u) << "floor and walls light each other";
+    scene::Scene alley = boxOnGround(2000);
+    addObject(alley, scene::makeBox({5, 8, 30}), translation({4, 4, 0}));
+    EXPECT_EQ(groundFaces(alley), 1u) << "a house is much larger than the box, too";
     scene::Scene twoSquares = boxOnGround(20);
     addObject(twoSquares, scene::makeQuad({20, 20}), translation({20, 0, 0}));
     EXPECT_EQ(groundFaces(twoSquares), 2u) << "one ground of two objects";
