@@ -2,6 +2,7 @@
 #include "techniques/radiosity/patches/contacts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -69,20 +70,29 @@ std::optional<Segment> inside(const Segment& segment, const Polygon& polygon, co
     return Segment{segment.from + first * way, segment.from + last * way};
 }
 
-/// Cuts every piece that the segment crosses, along the segment's whole line. Pieces keep the normal of the whole: that of a
-/// sliver would be noise.
+/// The two parts of a patch beside a line in its plane; nothing if one of them has no area. Pieces keep the normal of the whole: that of a sliver would be noise.
+std::optional<std::array<Patch, 2>> partsBeside(const Patch& patch, const Segment& line, double touching) {
+    const dvec3 across = glm::normalize(glm::cross(line.to - line.from, patch.normal));
+    const Polygon left = partBefore({line.from, across}, patch.polygon, touching);
+    const Polygon right = partBefore({line.from, -across}, patch.polygon, touching);
+    if (hasNoArea(left) || hasNoArea(right)) return std::nullopt;
+    return std::array{pieceOf(patch, left), pieceOf(patch, right)};
+}
+
+/// Cuts every piece that the segment crosses, along the segment's whole line. What a ball cuts out of a wall may have as many corners as a polygon can: that is halved first.
 void cut(std::vector<Patch>& pieces, const Segment& segment, double touching) {
     for (std::size_t i = 0, count = pieces.size(); i < count; ++i) {
         const Patch patch = pieces[i];
-        if (patch.polygon.count() + 1 > Polygon::kMostCorners ||
-            !inside(segment, patch.polygon, patch.normal, touching))
-            continue;
-        const dvec3 across = glm::normalize(glm::cross(segment.to - segment.from, patch.normal));
-        const Polygon left = partBefore({segment.from, across}, patch.polygon, touching);
-        const Polygon right = partBefore({segment.from, -across}, patch.polygon, touching);
-        if (hasNoArea(left) || hasNoArea(right)) continue;
-        pieces[i] = pieceOf(patch, left);
-        pieces.push_back(pieceOf(patch, right));
+        const std::size_t corners = patch.polygon.count();
+        if (!inside(segment, patch.polygon, patch.normal, touching)) continue;
+        const bool isFull = corners + 1 > Polygon::kMostCorners;
+        const auto parts = partsBeside(patch, isFull ? Segment{patch.polygon[0], patch.polygon[corners / 2]} : segment, touching);
+        if (!parts) continue;
+        pieces[i] = parts->front();
+        pieces.push_back(parts->back());
+        if (!isFull) continue;
+        std::swap(pieces[count], pieces.back()); // both halves are looked at
+        ++count, --i;
     }
 }
 

@@ -99,6 +99,26 @@ TEST(Contacts, WhatGoesThroughCutsToo) {
     EXPECT_NEAR(areaOf(pieces), 4.49, 1e-6); // the small one's vertices are floats
 }
 
+// The disc that a ball cuts out of a wall has more corners than a polygon can have, so it is in several pieces, and none of them reaches beyond it.
+TEST(Contacts, ABallCutsADiscOutOfAWall) {
+    constexpr double kRadius = 0.5;
+    scene::Scene scene;
+    scene.materials.emplace_back();
+    addObject(scene, scene::makeQuad({4, 4}));
+    addObject(scene, scene::makeSphere(kRadius, 48), translation({0.3, 0.02, 0.1}));
+    const Faces faces = facesOf(scene, trace::worldTriangles(scene));
+    const std::vector<Patch> pieces = cutAtContacts(faces, cutIntoPatches(faces, 4));
+    double within = 0, all = 0;
+    for (const Patch& patch : pieces) {
+        if (faces.all[patch.face].object != 0) continue;
+        const auto isWithin = [&](const dvec3& corner) { return glm::distance(corner, dvec3(0.3, 0, 0.1)) < kRadius; };
+        all += patch.area;
+        if (std::ranges::all_of(patch.polygon.corners(), isWithin)) within += patch.area;
+    }
+    EXPECT_NEAR(all, 16, 1e-6);
+    EXPECT_NEAR(within / (M_PI * (kRadius * kRadius - 0.02 * 0.02)), 1, 0.01) << "48 corners leave 0.3 % of a circle, and the mesh lies within the ball";
+}
+
 // A rug, or a lamp under a ceiling: hardly any light gets between it and the floor, so the floor's part beneath it is dark.
 TEST(Contacts, WhatLiesCloseAboveCutsAlongItsOutline) {
     for (const double height : {0.001, 0.05, 0.5}) {

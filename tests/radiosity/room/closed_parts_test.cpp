@@ -6,6 +6,10 @@
 
 #include <cmath>
 
+#include "techniques/foundation/scene/model/shapes.h"
+#include "tests/radiosity/prepared.h"
+#include "tests/radiosity/scene_room.h"
+
 namespace shadowlab::radiosity {
 namespace {
 
@@ -50,6 +54,33 @@ TEST(ClosedParts, AreScaledToOneWhileTheRestOfTheSceneStaysOpen) {
     // As it was found, the room loses light.
     const std::vector<double> naive = rowSums(scene.exchange, scene.areas);
     EXPECT_GT(std::abs(naive[3] - 1), 3e-3);
+}
+
+// Its one half stands in the room, and the other out in the open; of the wall the ball cuts out a disc with many corners.
+TEST(ClosedParts, ARoomIntoWhichABallReachesLosesNothing) {
+    constexpr double kReflectance = 0.99;
+    scene::Scene scene = testing::emptyRoom({4, 3, 4});
+    scene.materials[0].diffuse = vec3(static_cast<float>(kReflectance));
+    scene.materials[0].emission = vec3(static_cast<float>(1 - kReflectance));
+    const dvec3 middle(1.5, 1.2, 0.2);
+    testing::addObject(scene, scene::makeSphere(0.5, 48), testing::translation(middle));
+    const testing::Prepared prepared(std::move(scene), 600);
+    const Room& room = prepared.cache.room();
+    double light = 0, area = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < room.patches().size(); ++i) {
+        const Patch& patch = room.patches()[i];
+        const dvec3 place = room.world().originWorld + patch.centre, off = place - middle;
+        const bool isOfBall = room.faceOf(patch).object == 6, isOutOfBall = glm::dot(off, patch.normal) > 0;
+        const bool isInward = glm::dot(dvec3(2, 1.5, 2) - place, patch.normal) > 0;
+        if (isOfBall ? place.z < 0 || !isOutOfBall : glm::length(off) < 0.5 || !isInward) continue;
+        light += patch.area * prepared.balance.radiosity()[i].g / glm::pi<double>(); // a radiance of 1 everywhere
+        area += patch.area;
+        ++count;
+    }
+    EXPECT_GT(count, 200u);
+    EXPECT_NEAR(area, 80 - M_PI * 0.21 + 2 * M_PI * 0.5 * 0.7, 0.15) << "walls without a disc, and the cap of a ball that is simplified";
+    EXPECT_NEAR(light / area, 1, 0.005);
 }
 
 } // namespace
