@@ -16,7 +16,7 @@ constexpr double kCovered = 0.95;
 
 // In a simplified mesh, surfaces nearer than this share of a cell were moved together by simplification: two walls, two leaves.
 // Patches that see hardly anything else lie in a fold that the original mesh does not have.
-constexpr double kFold = 0.5, kNothingElse = 0.95;
+constexpr double kFold = 0.5, kNothingElse = 0.9;
 
 /// For each side those that are seen in its place where they overlap (scene/query/coincident/coincident_faces.h); empty: nothing coincides.
 std::vector<std::vector<std::uint32_t>> sidesOver(const Sides& sides, const scene::Scene& scene, const trace::WorldTriangles& world) {
