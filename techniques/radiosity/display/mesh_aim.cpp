@@ -8,6 +8,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/radiosity/display/gather_guide.h"
+#include "techniques/radiosity/lights/lamps_between.h"
 #include "techniques/radiosity/patches/polygon.h"
 #include "techniques/radiosity/patches/polygon_samples.h"
 
@@ -49,9 +50,7 @@ MeshAim::MeshAim(const scene::Scene& scene, const scene::Object& object) : spher
         for (const dvec3& one : facet.corners) bounds.include(one);
         facets_.push_back(facet);
     }
-    double area = 0;
-    for (const Facet& facet : facets_) area += glm::length(facet.across);
-    if (0.25 * area < kFull * spheres_.discs()) spheres_ = {};
+    if (0.25 * surfaceArea(object) < kFull * spheres_.discs()) spheres_ = {};
     const double size = std::max(glm::length(bounds.upperWorld - bounds.lowerWorld), 1e-300);
     std::ranges::stable_sort(facets_, {}, &Facet::material);
     for (std::size_t first = 0; first < facets_.size();) {
